@@ -16,6 +16,7 @@ from bnserve_inference._fitting import Fitting, Weighted, fitted_bins, fitted_ca
 from bnserve_inference._modes import QUADRUPOLE, chosen_modes, known_modes, orders, quadrupole_options
 from bnserve_inference._passing import reference_times
 from bnserve_inference._rows import chirp_mass
+from bnserve_inference._standing import chosen_response
 from bnserve_inference._search import Box, middle, refuse_missing_ranges, usual_masses
 from bnserve_inference._units import in_units
 from bnserve_inference._weights import time_table
@@ -68,7 +69,7 @@ def full_analysis(
         Data or settings that no likelihood could be evaluated with.
     """
     band = Band(data, trigger_time, f_min, f_max)
-    options = band.timed(options)
+    options = replace(band.timed(options), response="static" if options.response == "static" else "moving")
     arrays = band.arrays([row[None, :] for row in band.data], band.densities)
     return Analysis(settings=band.settings("full", alignment, options), arrays=arrays)
 
@@ -113,6 +114,12 @@ def roq_analysis(
     options = band.timed(_covered(options, basis.prior))
     band.check(options)
     basis.check_model(model)
+    if options.response != "static":
+        raise AnalysisInvalid(
+            "A reduced-order quadrature gives waveforms, and not what detectors that move make of them: state "
+            "response='static', which is right for short signals, or take relative binning or the full analysis.",
+            errors=[FieldError(reason="not with a quadrature", parameter="response")],
+        )
     modes = chosen_modes(options.modes, model.description)
     if len(model.description.modes) > 1 and modes != (QUADRUPOLE,):
         raise AnalysisInvalid(
@@ -183,7 +190,10 @@ def relative_binning_analysis(
     followed = orders(modes) if several else QUADRUPOLE[1:]
     basis = FiducialBasis.build(band.frequencies, one, model, phase_tolerance, alignment, followed)
     fitting = Fitting(band, model, alignment, options, one, modes)
-    return _reduced("relative_binning", fitted_bins(fitting, basis), fitting, None)
+    weighted = fitted_bins(fitting, basis)
+    if options.response == "auto":
+        fitting = replace(fitting, options=replace(options, response=chosen_response(fitting, weighted)))
+    return _reduced("relative_binning", weighted, fitting, None)
 
 
 def _reduced(kind: AnalysisKind, weighted: Weighted, fitting: Fitting, model_digest: str | None) -> Analysis:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
@@ -30,11 +31,15 @@ _ATTEMPTS = 8
 
 @dataclass(frozen=True, eq=False)
 class Weighted:
-    """A basis with its sums over the data, and over the noise ``(D, Q)``; complex ``(D, P, Q)`` for pairs of orders."""
+    """A basis with its sums over the data, and over the noise ``(D, Q)``; complex ``(D, P, Q)`` for pairs of orders.
+
+    ``top`` is the largest ln L that was found, where that was looked for.
+    """
 
     basis: Basis
     weights: Weights
     quadratic: NDArray[Any]
+    top: float = math.nan
 
 
 class Compared(NamedTuple):
@@ -142,7 +147,7 @@ def fitted_bins(fitting: Fitting, basis: FiducialBasis) -> Weighted:
         misleads = (found.approximate > top - RELEVANT) & ~fits
         worst = float(found.total[fits | misleads].max())
         if worst <= fitting.allowed:
-            return weighted
+            return replace(weighted, top=top)
         if seen is not None:  # bins were placed for these and are still too wide
             bins.narrow(
                 float(found.total[: len(seen)][(fits | misleads)[: len(seen)]].max(initial=0.0)) / fitting.allowed

@@ -50,7 +50,9 @@ def passing_times(
         options = options_for(model, (leading,), alignment=alignment, out_of_domain="flag")
         phases = model.predict_amplitude_phase(asked, batch, options=options).phase[:, places]
         times = stencil.slope(phases.reshape(len(batch), *stencil.frequencies.shape)) / (-2.0 * np.pi)
-        for row, slow in enumerate(times * nodes**_POWER):  # one by one: the bits of a product hang on what is beside it
+        for row, slow in enumerate(
+            times * nodes**_POWER
+        ):  # one by one: the bits of a product hang on what is beside it
             found[row, place] = spline_values(x_nodes, slow, cardinal @ slow, x)
     return np.asarray(found / frequencies**_POWER)
 

@@ -88,9 +88,7 @@ def earth_fixed(arms: Arms) -> Geometry:
     )
     vectors = [
         arms.length
-        * (
-            math.cos(altitude) * (math.cos(azimuth) * north + math.sin(azimuth) * east) + math.sin(altitude) * up
-        )
+        * (math.cos(altitude) * (math.cos(azimuth) * north + math.sin(azimuth) * east) + math.sin(altitude) * up)
         for altitude, azimuth in ((arms.x_altitude, arms.x_azimuth), (arms.y_altitude, arms.y_azimuth))
     ]
     return place, np.array(vectors)

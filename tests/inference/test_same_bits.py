@@ -11,6 +11,8 @@ from bnserve_inference.kernel import build as one_mode
 from bnserve_inference.kernel._contraction import ASSEMBLY as ONE_MODE
 from bnserve_inference.modes_kernel import build as several_modes
 from bnserve_inference.modes_kernel._contraction import ASSEMBLY as SEVERAL_MODES
+from bnserve_inference.moving_kernel import build as moving
+from bnserve_inference.moving_kernel._contraction import ASSEMBLY as MOVING
 from bnserve_protocol import (
     Calibration,
     DistanceMarginalisation,
@@ -99,7 +101,9 @@ def test_an_analysis_that_travelled_gives_the_same_bits(model, data):
     assert (likelihood(model, there).log_likelihood(batch) == expected).all()
 
 
-@pytest.mark.parametrize(("assembly", "build"), [(ONE_MODE, one_mode), (SEVERAL_MODES, several_modes)])
+@pytest.mark.parametrize(
+    ("assembly", "build"), [(ONE_MODE, one_mode), (SEVERAL_MODES, several_modes), (MOVING, moving)]
+)
 def test_the_compiled_contractions_are_of_these_sources(assembly, build):
     first_line = assembly.read_text().split("\n", 1)[0]
     assert first_line == DIGEST_PREFIX + source_digest(build.sources()), f"run: python -m {build.__name__}"

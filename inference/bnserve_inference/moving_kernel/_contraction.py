@@ -52,7 +52,7 @@ class MovingContraction(ModesContraction):
             in_lanes(_slopes(f)),
         ]
         self._held += more
-        self._more = [address_of(array) for array in more]
+        self._more = [*(address_of(array) for array in more), int(settings.moves)]
 
     def inner_products(
         self, h: Complex, plus: Floats, cross: Complex, sky: Floats, calibration: tuple[Floats, Floats] | None,

@@ -50,6 +50,9 @@ class Argument(IntEnum):
     SLOPES = auto()
     """float64 ``(2, padded J)``: seconds for each radian by which the ratio to it turns from the node before to this
     one, and from this one to the next."""
+    MOVES = auto()
+    """1 where detectors move, and are where they are as a signal arrives at them; 0 where they stand as at the coalescence
+    at the centre of the Earth."""
     PASSING_STRIDE = auto()
     """Numbers from the times of a row to those of the next. 0: they are found for each row by comparison."""
     PASSING = auto()

@@ -7,10 +7,12 @@ and its turns from node to node say the rest.
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
-from numba import njit
+from llvmlite import ir
+from numba import float64, njit
+from numba.core import cgutils
+from numba.extending import intrinsic
 
 from bnserve_inference.kernel._sums import Floats, Integers
 from bnserve_inference.modes_kernel._layout import Argument as Modes
@@ -22,11 +24,22 @@ _LEAST = 1e-300
 """Added to a denominator: nothing turns where there is no strain."""
 
 
+@intrinsic
+def _root(typing_context: Any, x: Any) -> Any:
+    """Square root as an instruction, not as the call of a library."""
+
+    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        kind = ir.FunctionType(ir.DoubleType(), [ir.DoubleType()])
+        return builder.call(cgutils.get_or_insert_function(builder.module, kind, "llvm.sqrt.f64"), args)
+
+    return float64(float64), codegen
+
+
 @njit(inline="always")
 def _half_angle(real: float, imaginary: float) -> float:
     """Half of the angle of a complex number, within pi / 2, to 1e-7 of it."""
-    tangent = imaginary / (math.sqrt(real * real + imaginary * imaginary) + real + _LEAST)
-    x = tangent / (1.0 + math.sqrt(1.0 + tangent * tangent))
+    tangent = imaginary / (_root(real * real + imaginary * imaginary) + real + _LEAST)
+    x = tangent / (1.0 + _root(1.0 + tangent * tangent))
     z = x * x  # at most one: Abramowitz and Stegun 4.4.49
     series = 0.1065626393 + z * (-0.0752896400 + z * (0.0429096138 + z * (-0.0161657367 + z * 0.0028662257)))
     series = 1.0 + z * (-0.3333314528 + z * (0.1999355085 + z * (-0.1420889944 + z * series)))

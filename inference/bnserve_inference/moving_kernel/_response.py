@@ -6,8 +6,6 @@ sums of 1, cos theta, sin theta, cos 2 theta and sin 2 theta, and its delay of t
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numba import njit
 
@@ -37,20 +35,23 @@ def _dot(u: tuple[float, float, float], v: tuple[float, float, float]) -> float:
 
 
 @njit(**JIT_OPTIONS)
-def coefficients(sky: Floats, sidereal: Floats, tensor: Floats, place: Floats, arms: Floats, out: Floats) -> None:
+def coefficients(
+    sky: Floats, sidereal: Floats, moves: int, tensor: Floats, place: Floats, arms: Floats, out: Floats
+) -> None:
     """The :class:`Coefficient` of one row in one detector.
 
     A source at hour angle H and declination delta, seen along the axes of the equator a = (cos H, -sin H, 0), towards
     it, and b = (sin H, cos H, 0), has the polarisation vectors u = -b and v = -sin delta a + cos delta z, turned by the
     polarisation angle. The Earth turns a to a cos theta - b sin theta and b to b cos theta + a sin theta. H is that at
-    which the coalescence arrives at the detector.
+    which the coalescence arrives at a detector that moves.
     """
     hour_angle = sidereal[0] + sidereal[1] * sky[Sky.TIME] - sky[Sky.RIGHT_ASCENSION]
     sin_h, cos_h = sincos(hour_angle)
     s, c = sincos(sky[Sky.DECLINATION])
     at = (place[0], place[1], place[2])
-    delay = -(c * (cos_h * at[0] - sin_h * at[1]) + s * at[2]) / LIGHT_SPEED
-    sin_h, cos_h = sincos(hour_angle + sidereal[1] * delay)
+    if moves == 1:
+        delay = -(c * (cos_h * at[0] - sin_h * at[1]) + s * at[2]) / LIGHT_SPEED
+        sin_h, cos_h = sincos(hour_angle + sidereal[1] * delay)
     a, b, z = (cos_h, -sin_h, 0.0), (sin_h, cos_h, 0.0), (0.0, 0.0, 1.0)
     out[Coefficient.DELAY] = -(c * _dot(a, at) + s * at[2]) / LIGHT_SPEED
     out[Coefficient.RECEDING] = c * _dot(a, at) / LIGHT_SPEED
@@ -69,7 +70,7 @@ def coefficients(sky: Floats, sidereal: Floats, tensor: Floats, place: Floats, a
     out[Coefficient.COS_DECLINATION], out[Coefficient.SIN_DECLINATION] = c, s
     for k in range(2):
         arm = (arms[3 * k], arms[3 * k + 1], arms[3 * k + 2])
-        length = math.sqrt(_dot(arm, arm))
+        length = np.sqrt(_dot(arm, arm))
         first = Coefficient.X_ARM if k == 0 else Coefficient.Y_ARM
         scale = 1.0 / length if length > 0.0 else 0.0
         out[first], out[first + 1] = _dot(a, arm) * scale, _dot(b, arm) * scale

@@ -101,7 +101,8 @@ def _place(row: int, arguments: Integers, out: Floats) -> None:
         tensor = floats_at(arguments[Modes.RESPONSES] + 72 * d, 9)
         place = floats_at(arguments[Modes.LOCATIONS] + 24 * d, 3)
         arms = floats_at(arguments[Argument.ARMS] + 48 * d, 6)
-        coefficients(sky, sidereal, tensor, place, arms, floats_in(out, COEFFICIENTS * d, COEFFICIENTS))
+        found = floats_in(out, COEFFICIENTS * d, COEFFICIENTS)
+        coefficients(sky, sidereal, arguments[Argument.MOVES], tensor, place, arms, found)
 
 
 @njit(**JIT_OPTIONS)

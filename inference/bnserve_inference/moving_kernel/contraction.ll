@@ -1,4 +1,4 @@
-; sources: 898d875e06bbd57dbfd8f731578d17fe6a1e318c446c3c74c145c8e21165d83d
+; sources: a769f698717d89b3178f52109b87e686eb8d5dde3584babefb3da931a3537014
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -57,462 +57,473 @@ B568.i:                                           ; preds = %B568.lr.ph.i, %B146
   %.792.i = getelementptr i8, ptr %.717.i, i64 24
   %.793.i = load double, ptr %.792.i, align 8, !noalias !0
   %.237.i.i = load i64, ptr %arg.arguments, align 8, !noalias !3
-  %.317372.not.i.i = icmp slt i64 %.237.i.i, 1
-  br i1 %.317372.not.i.i, label %_ZN17bnserve_inference13moving_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B232.if.preheader.i.i
+  %.317385.not.i.i = icmp slt i64 %.237.i.i, 1
+  br i1 %.317385.not.i.i, label %_ZN17bnserve_inference13moving_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B232.if.preheader.i.i
 
 B232.if.preheader.i.i:                            ; preds = %B568.i
   %.153.i.i = load i64, ptr %.152.i.i, align 8, !noalias !3
   %1 = inttoptr i64 %.153.i.i to ptr
-  %.136.i.i.i = getelementptr i8, ptr %1, i64 8
-  %.315.i.i.i = getelementptr i8, ptr %.717.i, i64 8
-  %.2013.i.i.i = getelementptr i8, ptr %.717.i, i64 16
+  %.145.i.i.i = getelementptr i8, ptr %1, i64 8
+  %.345.i.i.i = getelementptr i8, ptr %.717.i, i64 8
+  %.2102.i.i.i = getelementptr i8, ptr %.717.i, i64 16
   br label %B232.if.i.i
 
-B232.if.i.i:                                      ; preds = %B232.if.i.i, %B232.if.preheader.i.i
-  %lsr.iv105.i.i = phi i64 [ %lsr.iv.next106.i.i, %B232.if.i.i ], [ %.237.i.i, %B232.if.preheader.i.i ]
-  %lsr.iv103.i.i = phi i64 [ %lsr.iv.next104.i.i, %B232.if.i.i ], [ 0, %B232.if.preheader.i.i ]
-  %lsr.iv101.i.i = phi i64 [ %lsr.iv.next102.i.i, %B232.if.i.i ], [ 0, %B232.if.preheader.i.i ]
-  %lsr.iv100.i.i = phi i64 [ %lsr.iv.next.i.i, %B232.if.i.i ], [ 0, %B232.if.preheader.i.i ]
-  %lsr.iv.i.i = phi ptr [ %scevgep.i.i, %B232.if.i.i ], [ %.155.i, %B232.if.preheader.i.i ]
-  %.385.i.i = load i64, ptr %sunkaddr9.i.i, align 8, !noalias !3
+B232.if.i.i:                                      ; preds = %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B232.if.preheader.i.i
+  %lsr.iv105.i.i = phi i64 [ %lsr.iv.next106.i.i, %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %.237.i.i, %B232.if.preheader.i.i ]
+  %lsr.iv103.i.i = phi i64 [ %lsr.iv.next104.i.i, %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ 0, %B232.if.preheader.i.i ]
+  %lsr.iv101.i.i = phi i64 [ %lsr.iv.next102.i.i, %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ 0, %B232.if.preheader.i.i ]
+  %lsr.iv100.i.i = phi i64 [ %lsr.iv.next.i.i, %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ 0, %B232.if.preheader.i.i ]
+  %lsr.iv.i.i = phi ptr [ %scevgep.i.i, %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %.155.i, %B232.if.preheader.i.i ]
+  %.385.i.i = load i64, ptr %sunkaddr10.i.i, align 8, !noalias !3
   %2 = add i64 %.385.i.i, %lsr.iv103.i.i
   %.388.i.i = inttoptr i64 %2 to ptr
-  %.466.i.i = load i64, ptr %sunkaddr10.i.i, align 8, !noalias !3
+  %.466.i.i = load i64, ptr %sunkaddr11.i.i, align 8, !noalias !3
   %3 = add i64 %.466.i.i, %lsr.iv101.i.i
   %.469.i.i = inttoptr i64 %3 to ptr
   %.547.i.i = load i64, ptr %sunkaddr.i.i, align 8, !noalias !3
   %4 = add i64 %.547.i.i, %lsr.iv100.i.i
   %.550.i.i = inttoptr i64 %4 to ptr
-  %.108.i.i.i = load double, ptr %1, align 8, !noalias !6
-  %.137.i.i.i = load double, ptr %.136.i.i.i, align 8, !noalias !6
-  %.166.i.i.i = load double, ptr %.792.i, align 8, !noalias !6
-  %.167.i.i.i = fmul contract double %.137.i.i.i, %.166.i.i.i
-  %.168.i.i.i = fadd contract double %.108.i.i.i, %.167.i.i.i
-  %.197.i.i.i = load double, ptr %.717.i, align 8, !noalias !6
-  %.198.i.i.i = fsub contract double %.168.i.i.i, %.197.i.i.i
-  %.200.i.i.i = tail call contract double @llvm.fma.f64(double %.198.i.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
-  %.201.i.i.i = fadd contract double %.200.i.i.i, 0xC338000000000000
-  %.216.i.i.i = tail call contract double @llvm.fma.f64(double %.201.i.i.i, double 0xBFF921FB54442D18, double %.198.i.i.i)
-  %.231.i.i.i = tail call contract double @llvm.fma.f64(double %.201.i.i.i, double 0xBC91A62633145C07, double %.216.i.i.i)
-  %.232.i.i.i = fmul contract double %.231.i.i.i, %.231.i.i.i
-  %.233.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
-  %.234.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.233.i.i.i, double 0xBE5AE64567F544E4)
-  %.235.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.234.i.i.i, double 0x3EC71DE3A556C734)
-  %.236.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.235.i.i.i, double 0xBF2A01A01A01A01A)
-  %.237.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.236.i.i.i, double 0x3F81111111111111)
-  %.238.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.237.i.i.i, double 0xBFC5555555555555)
-  %.239.i.i.i = fmul contract double %.231.i.i.i, %.232.i.i.i
-  %.240.i.i.i = tail call contract double @llvm.fma.f64(double %.239.i.i.i, double %.238.i.i.i, double %.231.i.i.i)
-  %.241.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
-  %.242.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.241.i.i.i, double 0x3E21EED8EFF8D898)
-  %.243.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.242.i.i.i, double 0xBE927E4FB7789F5C)
-  %.244.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.243.i.i.i, double 0x3EFA01A01A01A01A)
-  %.245.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.244.i.i.i, double 0xBF56C16C16C16C17)
-  %.246.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.245.i.i.i, double 0x3FA5555555555555)
-  %.247.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.246.i.i.i, double -5.000000e-01)
-  %.248.i.i.i = tail call contract double @llvm.fma.f64(double %.232.i.i.i, double %.247.i.i.i, double 1.000000e+00)
-  %.249.i.i.i = bitcast double %.200.i.i.i to i64
-  %.250.i.i.i = bitcast double %.240.i.i.i to i64
-  %.251.i.i.i = bitcast double %.248.i.i.i to i64
-  %.252.i.i.i = xor i64 %.251.i.i.i, %.250.i.i.i
-  %.253.i.i.i = and i64 %.249.i.i.i, 1
-  %5 = icmp eq i64 %.253.i.i.i, 0
-  %.255.i.i.i = select i1 %5, i64 0, i64 %.252.i.i.i
-  %.256.i.i.i = shl i64 %.249.i.i.i, 62
-  %.257.i.i.i = and i64 %.256.i.i.i, -9223372036854775808
-  %.259.i.i.i = add i64 %.256.i.i.i, 4611686018427387904
-  %.260.i.i.i = and i64 %.259.i.i.i, -9223372036854775808
-  %6 = xor i64 %.257.i.i.i, %.250.i.i.i
-  %.262.i.i.i = xor i64 %6, %.255.i.i.i
-  %.263.i.i.i = bitcast i64 %.262.i.i.i to double
-  %7 = xor i64 %.260.i.i.i, %.251.i.i.i
-  %.265.i.i.i = xor i64 %7, %.255.i.i.i
-  %.266.i.i.i = bitcast i64 %.265.i.i.i to double
-  %.316.i.i.i = load double, ptr %.315.i.i.i, align 8, !noalias !6
-  %.317.i.i.i = tail call contract double @llvm.fma.f64(double %.316.i.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
-  %.318.i.i.i = fadd contract double %.317.i.i.i, 0xC338000000000000
-  %.333.i.i.i = tail call contract double @llvm.fma.f64(double %.318.i.i.i, double 0xBFF921FB54442D18, double %.316.i.i.i)
-  %.348.i.i.i = tail call contract double @llvm.fma.f64(double %.318.i.i.i, double 0xBC91A62633145C07, double %.333.i.i.i)
-  %.349.i.i.i = fmul contract double %.348.i.i.i, %.348.i.i.i
-  %.350.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
-  %.351.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.350.i.i.i, double 0xBE5AE64567F544E4)
-  %.352.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.351.i.i.i, double 0x3EC71DE3A556C734)
-  %.353.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.352.i.i.i, double 0xBF2A01A01A01A01A)
-  %.354.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.353.i.i.i, double 0x3F81111111111111)
-  %.355.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.354.i.i.i, double 0xBFC5555555555555)
-  %.356.i.i.i = fmul contract double %.348.i.i.i, %.349.i.i.i
-  %.357.i.i.i = tail call contract double @llvm.fma.f64(double %.356.i.i.i, double %.355.i.i.i, double %.348.i.i.i)
-  %.358.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
-  %.359.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.358.i.i.i, double 0x3E21EED8EFF8D898)
-  %.360.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.359.i.i.i, double 0xBE927E4FB7789F5C)
-  %.361.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.360.i.i.i, double 0x3EFA01A01A01A01A)
-  %.362.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.361.i.i.i, double 0xBF56C16C16C16C17)
-  %.363.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.362.i.i.i, double 0x3FA5555555555555)
-  %.364.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.363.i.i.i, double -5.000000e-01)
-  %.365.i.i.i = tail call contract double @llvm.fma.f64(double %.349.i.i.i, double %.364.i.i.i, double 1.000000e+00)
-  %.366.i.i.i = bitcast double %.317.i.i.i to i64
-  %.367.i.i.i = bitcast double %.357.i.i.i to i64
-  %.368.i.i.i = bitcast double %.365.i.i.i to i64
-  %.369.i.i.i = xor i64 %.368.i.i.i, %.367.i.i.i
-  %.370.i.i.i = and i64 %.366.i.i.i, 1
-  %8 = icmp eq i64 %.370.i.i.i, 0
-  %.372.i.i.i = select i1 %8, i64 0, i64 %.369.i.i.i
-  %.373.i.i.i = shl i64 %.366.i.i.i, 62
-  %.374.i.i.i = and i64 %.373.i.i.i, -9223372036854775808
-  %.376.i.i.i = add i64 %.373.i.i.i, 4611686018427387904
-  %.377.i.i.i = and i64 %.376.i.i.i, -9223372036854775808
-  %9 = xor i64 %.374.i.i.i, %.367.i.i.i
-  %.379.i.i.i = xor i64 %9, %.372.i.i.i
-  %.380.i.i.i = bitcast i64 %.379.i.i.i to double
-  %10 = xor i64 %.377.i.i.i, %.368.i.i.i
-  %.382.i.i.i = xor i64 %10, %.372.i.i.i
-  %.383.i.i.i = bitcast i64 %.382.i.i.i to double
-  %.438.i.i.i = load double, ptr %.469.i.i, align 8, !noalias !6
-  %.466.i.i.i = getelementptr i8, ptr %.469.i.i, i64 8
-  %.467.i.i.i = load double, ptr %.466.i.i.i, align 8, !noalias !6
-  %.495.i.i.i = getelementptr i8, ptr %.469.i.i, i64 16
-  %.496.i.i.i = load double, ptr %.495.i.i.i, align 8, !noalias !6
-  %.507.i.i.i = fmul contract double %.438.i.i.i, %.266.i.i.i
-  %.509.i.i.i = fmul contract double %.467.i.i.i, %.263.i.i.i
-  %.510.i.i.i = fsub contract double %.507.i.i.i, %.509.i.i.i
-  %.512.i.i.i = fmul contract double %.510.i.i.i, %.383.i.i.i
-  %.515.i.i.i = fmul contract double %.496.i.i.i, %.380.i.i.i
-  %.516.i.i.i = fadd contract double %.515.i.i.i, %.512.i.i.i
-  %.521.i.i.i = fdiv contract double %.516.i.i.i, 0x41B1DE784A000000
-  %.555.i.i.i = fmul contract double %.137.i.i.i, %.521.i.i.i
-  %11 = fsub contract double %.198.i.i.i, %.555.i.i.i
-  %.557.i.i.i = tail call contract double @llvm.fma.f64(double %11, double 0x3FE45F306DC9C883, double 0x4338000000000000)
-  %.558.i.i.i = fadd contract double %.557.i.i.i, 0xC338000000000000
-  %.573.i.i.i = tail call contract double @llvm.fma.f64(double %.558.i.i.i, double 0xBFF921FB54442D18, double %11)
-  %.588.i.i.i = tail call contract double @llvm.fma.f64(double %.558.i.i.i, double 0xBC91A62633145C07, double %.573.i.i.i)
-  %.589.i.i.i = fmul contract double %.588.i.i.i, %.588.i.i.i
-  %.590.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
-  %.591.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.590.i.i.i, double 0xBE5AE64567F544E4)
-  %.592.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.591.i.i.i, double 0x3EC71DE3A556C734)
-  %.593.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.592.i.i.i, double 0xBF2A01A01A01A01A)
-  %.594.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.593.i.i.i, double 0x3F81111111111111)
-  %.595.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.594.i.i.i, double 0xBFC5555555555555)
-  %.596.i.i.i = fmul contract double %.588.i.i.i, %.589.i.i.i
-  %.597.i.i.i = tail call contract double @llvm.fma.f64(double %.596.i.i.i, double %.595.i.i.i, double %.588.i.i.i)
-  %.598.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
-  %.599.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.598.i.i.i, double 0x3E21EED8EFF8D898)
-  %.600.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.599.i.i.i, double 0xBE927E4FB7789F5C)
-  %.601.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.600.i.i.i, double 0x3EFA01A01A01A01A)
-  %.602.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.601.i.i.i, double 0xBF56C16C16C16C17)
-  %.603.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.602.i.i.i, double 0x3FA5555555555555)
-  %.604.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.603.i.i.i, double -5.000000e-01)
-  %.605.i.i.i = tail call contract double @llvm.fma.f64(double %.589.i.i.i, double %.604.i.i.i, double 1.000000e+00)
-  %.606.i.i.i = bitcast double %.557.i.i.i to i64
-  %.607.i.i.i = bitcast double %.597.i.i.i to i64
-  %.608.i.i.i = bitcast double %.605.i.i.i to i64
-  %.609.i.i.i = xor i64 %.608.i.i.i, %.607.i.i.i
-  %.610.i.i.i = and i64 %.606.i.i.i, 1
-  %12 = icmp eq i64 %.610.i.i.i, 0
-  %.612.i.i.i = select i1 %12, i64 0, i64 %.609.i.i.i
-  %.613.i.i.i = shl i64 %.606.i.i.i, 62
-  %.614.i.i.i = and i64 %.613.i.i.i, -9223372036854775808
-  %.616.i.i.i = add i64 %.613.i.i.i, 4611686018427387904
-  %.617.i.i.i = and i64 %.616.i.i.i, -9223372036854775808
-  %13 = xor i64 %.614.i.i.i, %.607.i.i.i
-  %.619.i.i.i = xor i64 %13, %.612.i.i.i
-  %.620.i.i.i = bitcast i64 %.619.i.i.i to double
-  %14 = xor i64 %.617.i.i.i, %.608.i.i.i
-  %.622.i.i.i = xor i64 %14, %.612.i.i.i
-  %.623.i.i.i = bitcast i64 %.622.i.i.i to double
-  %.697.i.i.i = fmul contract double %.438.i.i.i, %.623.i.i.i
-  %15 = fmul contract double %.467.i.i.i, %.620.i.i.i
-  %.701.i.i.i = fsub contract double %.697.i.i.i, %15
-  %.710.i.i.i = fmul contract double %.496.i.i.i, 0.000000e+00
-  %.711.i.i.i = fadd contract double %.710.i.i.i, %.701.i.i.i
-  %.713.i.i.i = fmul contract double %.711.i.i.i, %.383.i.i.i
-  %.717.i.i.i = fadd contract double %.515.i.i.i, %.713.i.i.i
-  %.722.i.i.i = fdiv contract double %.717.i.i.i, 0xC1B1DE784A000000
-  store double %.722.i.i.i, ptr %lsr.iv.i.i, align 8, !noalias !6
-  %.783.i.i.i = fdiv contract double %.713.i.i.i, 0x41B1DE784A000000
-  %.812.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 88
-  store double %.783.i.i.i, ptr %.812.i.i.i, align 8, !noalias !6
-  %.827.i.i.i = fmul contract double %.438.i.i.i, %.620.i.i.i
-  %.830.i.i.i = fmul contract double %.467.i.i.i, %.623.i.i.i
-  %.831.i.i.i = fadd contract double %.827.i.i.i, %.830.i.i.i
-  %.841.i.i.i = fadd contract double %.710.i.i.i, %.831.i.i.i
-  %.843.i.i.i = fmul contract double %.841.i.i.i, %.383.i.i.i
-  %.847.i.i.i = fdiv contract double %.843.i.i.i, 0x41B1DE784A000000
-  %.876.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 96
-  store double %.847.i.i.i, ptr %.876.i.i.i, align 8, !noalias !6
-  %.914.i.i.i = load double, ptr %.388.i.i, align 8, !noalias !6
-  %.916.i.i.i = fmul contract double %.914.i.i.i, %.623.i.i.i
-  %.944.i.i.i = getelementptr i8, ptr %.388.i.i, i64 8
-  %.945.i.i.i = load double, ptr %.944.i.i.i, align 8, !noalias !6
-  %16 = fmul contract double %.945.i.i.i, %.620.i.i.i
-  %.948.i.i.i = fsub contract double %.916.i.i.i, %16
-  %.976.i.i.i = getelementptr i8, ptr %.388.i.i, i64 16
-  %.977.i.i.i = load double, ptr %.976.i.i.i, align 8, !noalias !6
-  %.979.i.i.i = fmul contract double %.977.i.i.i, 0.000000e+00
-  %.980.i.i.i = fadd contract double %.979.i.i.i, %.948.i.i.i
-  %.1008.i.i.i = getelementptr i8, ptr %.388.i.i, i64 24
-  %.1009.i.i.i = load double, ptr %.1008.i.i.i, align 8, !noalias !6
-  %.1011.i.i.i = fmul contract double %.1009.i.i.i, %.623.i.i.i
-  %.1039.i.i.i = getelementptr i8, ptr %.388.i.i, i64 32
-  %.1040.i.i.i = load double, ptr %.1039.i.i.i, align 8, !noalias !6
-  %17 = fmul contract double %.1040.i.i.i, %.620.i.i.i
-  %.1043.i.i.i = fsub contract double %.1011.i.i.i, %17
-  %.1071.i.i.i = getelementptr i8, ptr %.388.i.i, i64 40
-  %.1072.i.i.i = load double, ptr %.1071.i.i.i, align 8, !noalias !6
-  %.1074.i.i.i = fmul contract double %.1072.i.i.i, 0.000000e+00
-  %.1075.i.i.i = fadd contract double %.1074.i.i.i, %.1043.i.i.i
-  %.1103.i.i.i = getelementptr i8, ptr %.388.i.i, i64 48
-  %.1104.i.i.i = load double, ptr %.1103.i.i.i, align 8, !noalias !6
-  %.1106.i.i.i = fmul contract double %.1104.i.i.i, %.623.i.i.i
-  %.1134.i.i.i = getelementptr i8, ptr %.388.i.i, i64 56
-  %.1135.i.i.i = load double, ptr %.1134.i.i.i, align 8, !noalias !6
-  %18 = fmul contract double %.1135.i.i.i, %.620.i.i.i
-  %.1138.i.i.i = fsub contract double %.1106.i.i.i, %18
-  %.1166.i.i.i = getelementptr i8, ptr %.388.i.i, i64 64
-  %.1167.i.i.i = load double, ptr %.1166.i.i.i, align 8, !noalias !6
-  %.1175.i.i.i = fmul contract double %.1167.i.i.i, 0.000000e+00
-  %.1176.i.i.i = fadd contract double %.1175.i.i.i, %.1138.i.i.i
-  %.1233.i.i.i = fmul contract double %.914.i.i.i, %.620.i.i.i
-  %.1264.i.i.i = fmul contract double %.945.i.i.i, %.623.i.i.i
-  %.1265.i.i.i = fadd contract double %.1233.i.i.i, %.1264.i.i.i
-  %.1297.i.i.i = fadd contract double %.979.i.i.i, %.1265.i.i.i
-  %.1328.i.i.i = fmul contract double %.1009.i.i.i, %.620.i.i.i
-  %.1359.i.i.i = fmul contract double %.1040.i.i.i, %.623.i.i.i
-  %.1360.i.i.i = fadd contract double %.1328.i.i.i, %.1359.i.i.i
-  %.1392.i.i.i = fadd contract double %.1074.i.i.i, %.1360.i.i.i
-  %.1423.i.i.i = fmul contract double %.1104.i.i.i, %.620.i.i.i
-  %.1454.i.i.i = fmul contract double %.1135.i.i.i, %.623.i.i.i
-  %.1455.i.i.i = fadd contract double %.1423.i.i.i, %.1454.i.i.i
-  %.1493.i.i.i = fadd contract double %.1175.i.i.i, %.1455.i.i.i
-  %.1555.i.i.i = fmul contract double %.914.i.i.i, 0.000000e+00
-  %.1586.i.i.i = fmul contract double %.945.i.i.i, 0.000000e+00
-  %.1587.i.i.i = fadd contract double %.1555.i.i.i, %.1586.i.i.i
-  %.1619.i.i.i = fadd contract double %.977.i.i.i, %.1587.i.i.i
-  %.1650.i.i.i = fmul contract double %.1009.i.i.i, 0.000000e+00
-  %.1681.i.i.i = fmul contract double %.1040.i.i.i, 0.000000e+00
-  %.1682.i.i.i = fadd contract double %.1650.i.i.i, %.1681.i.i.i
-  %.1714.i.i.i = fadd contract double %.1072.i.i.i, %.1682.i.i.i
-  %.1745.i.i.i = fmul contract double %.1104.i.i.i, 0.000000e+00
-  %.1776.i.i.i = fmul contract double %.1135.i.i.i, 0.000000e+00
-  %.1777.i.i.i = fadd contract double %.1745.i.i.i, %.1776.i.i.i
-  %.1815.i.i.i = fadd contract double %.1167.i.i.i, %.1777.i.i.i
-  %.1859.i.i.i = fmul contract double %.980.i.i.i, %.623.i.i.i
-  %19 = fmul contract double %.1075.i.i.i, %.620.i.i.i
-  %.1863.i.i.i = fsub contract double %.1859.i.i.i, %19
-  %.1872.i.i.i = fmul contract double %.1176.i.i.i, 0.000000e+00
-  %.1873.i.i.i = fadd contract double %.1872.i.i.i, %.1863.i.i.i
-  %.1884.i.i.i = fmul contract double %.1297.i.i.i, %.623.i.i.i
-  %20 = fmul contract double %.1392.i.i.i, %.620.i.i.i
-  %.1888.i.i.i = fsub contract double %.1884.i.i.i, %20
-  %.1897.i.i.i = fmul contract double %.1493.i.i.i, 0.000000e+00
-  %.1898.i.i.i = fadd contract double %.1897.i.i.i, %.1888.i.i.i
-  %.1912.i.i.i = fmul contract double %.1297.i.i.i, %.620.i.i.i
-  %.1915.i.i.i = fmul contract double %.1392.i.i.i, %.623.i.i.i
-  %.1916.i.i.i = fadd contract double %.1912.i.i.i, %.1915.i.i.i
-  %.1926.i.i.i = fadd contract double %.1897.i.i.i, %.1916.i.i.i
-  %.1937.i.i.i = fmul contract double %.1619.i.i.i, %.623.i.i.i
-  %21 = fmul contract double %.1714.i.i.i, %.620.i.i.i
-  %.1941.i.i.i = fsub contract double %.1937.i.i.i, %21
-  %.1950.i.i.i = fmul contract double %.1815.i.i.i, 0.000000e+00
-  %.1951.i.i.i = fadd contract double %.1950.i.i.i, %.1941.i.i.i
-  %.1962.i.i.i = fmul contract double %.1619.i.i.i, %.620.i.i.i
-  %.1965.i.i.i = fmul contract double %.1714.i.i.i, %.623.i.i.i
-  %.1966.i.i.i = fadd contract double %.1962.i.i.i, %.1965.i.i.i
-  %.1976.i.i.i = fadd contract double %.1950.i.i.i, %.1966.i.i.i
-  %.1981.i.i.i = fadd contract double %.1873.i.i.i, %.1926.i.i.i
-  %.1982.i.i.i = fmul contract double %.1981.i.i.i, 5.000000e-01
-  %.1983.i.i.i = fsub contract double %.1926.i.i.i, %.1873.i.i.i
-  %.1984.i.i.i = fmul contract double %.1983.i.i.i, 5.000000e-01
-  %.2014.i.i.i = load double, ptr %.2013.i.i.i, align 8, !noalias !6
-  %.2018.i.i.i = fmul contract double %.2014.i.i.i, 2.000000e+00
-  %.2019.i.i.i = tail call contract double @llvm.fma.f64(double %.2018.i.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
-  %.2020.i.i.i = fadd contract double %.2019.i.i.i, 0xC338000000000000
-  %.2035.i.i.i = tail call contract double @llvm.fma.f64(double %.2020.i.i.i, double 0xBFF921FB54442D18, double %.2018.i.i.i)
-  %.2050.i.i.i = tail call contract double @llvm.fma.f64(double %.2020.i.i.i, double 0xBC91A62633145C07, double %.2035.i.i.i)
-  %.2051.i.i.i = fmul contract double %.2050.i.i.i, %.2050.i.i.i
-  %.2052.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
-  %.2053.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2052.i.i.i, double 0xBE5AE64567F544E4)
-  %.2054.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2053.i.i.i, double 0x3EC71DE3A556C734)
-  %.2055.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2054.i.i.i, double 0xBF2A01A01A01A01A)
-  %.2056.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2055.i.i.i, double 0x3F81111111111111)
-  %.2057.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2056.i.i.i, double 0xBFC5555555555555)
-  %.2058.i.i.i = fmul contract double %.2050.i.i.i, %.2051.i.i.i
-  %.2059.i.i.i = tail call contract double @llvm.fma.f64(double %.2058.i.i.i, double %.2057.i.i.i, double %.2050.i.i.i)
-  %.2060.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
-  %.2061.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2060.i.i.i, double 0x3E21EED8EFF8D898)
-  %.2062.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2061.i.i.i, double 0xBE927E4FB7789F5C)
-  %.2063.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2062.i.i.i, double 0x3EFA01A01A01A01A)
-  %.2064.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2063.i.i.i, double 0xBF56C16C16C16C17)
-  %.2065.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2064.i.i.i, double 0x3FA5555555555555)
-  %.2066.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2065.i.i.i, double -5.000000e-01)
-  %.2067.i.i.i = tail call contract double @llvm.fma.f64(double %.2051.i.i.i, double %.2066.i.i.i, double 1.000000e+00)
-  %.2068.i.i.i = bitcast double %.2019.i.i.i to i64
-  %.2069.i.i.i = bitcast double %.2059.i.i.i to i64
-  %.2070.i.i.i = bitcast double %.2067.i.i.i to i64
-  %.2071.i.i.i = xor i64 %.2070.i.i.i, %.2069.i.i.i
-  %.2072.i.i.i = and i64 %.2068.i.i.i, 1
-  %22 = icmp eq i64 %.2072.i.i.i, 0
-  %.2074.i.i.i = select i1 %22, i64 0, i64 %.2071.i.i.i
-  %.2075.i.i.i = shl i64 %.2068.i.i.i, 62
-  %.2076.i.i.i = and i64 %.2075.i.i.i, -9223372036854775808
-  %.2078.i.i.i = add i64 %.2075.i.i.i, 4611686018427387904
-  %.2079.i.i.i = and i64 %.2078.i.i.i, -9223372036854775808
-  %23 = xor i64 %.2076.i.i.i, %.2069.i.i.i
-  %.2081.i.i.i = xor i64 %23, %.2074.i.i.i
-  %.2082.i.i.i = bitcast i64 %.2081.i.i.i to double
-  %24 = xor i64 %.2079.i.i.i, %.2070.i.i.i
-  %.2084.i.i.i = xor i64 %24, %.2074.i.i.i
-  %.2085.i.i.i = bitcast i64 %.2084.i.i.i to double
-  %.2113.i.i.i = fmul contract double %.1982.i.i.i, %.383.i.i.i
-  %.2115.i.i.i = fmul contract double %.2113.i.i.i, %.383.i.i.i
-  %.2118.i.i.i = fmul contract double %.383.i.i.i, %.383.i.i.i
-  %.2119.i.i.i = fmul contract double %.1815.i.i.i, %.2118.i.i.i
-  %.2120.i.i.i = fsub contract double %.2115.i.i.i, %.2119.i.i.i
-  %.2122.i.i.i = fmul contract double %.380.i.i.i, 2.000000e+00
-  %.2124.i.i.i = fmul contract double %.2122.i.i.i, %.383.i.i.i
-  %.2125.i.i.i = fmul contract double %.2124.i.i.i, %.1951.i.i.i
-  %.2127.i.i.i = fmul contract double %.380.i.i.i, -2.000000e+00
-  %.2129.i.i.i = fmul contract double %.2127.i.i.i, %.383.i.i.i
-  %.2130.i.i.i = fmul contract double %.2129.i.i.i, %.1976.i.i.i
-  %.2133.i.i.i = fmul contract double %.380.i.i.i, %.380.i.i.i
-  %.2134.i.i.i = fadd contract double %.2133.i.i.i, 1.000000e+00
-  %.2135.i.i.i = fmul contract double %.2134.i.i.i, %.1984.i.i.i
-  %.2140.i.i.i = fmul contract double %.2134.i.i.i, %.1898.i.i.i
-  %.2160.i.i.i = fmul contract double %.383.i.i.i, -2.000000e+00
-  %.2161.i.i.i = fmul contract double %.2160.i.i.i, %.1976.i.i.i
-  %.2164.i.i.i = fmul contract double %.2160.i.i.i, %.1951.i.i.i
-  %.2167.i.i.i = fmul contract double %.2122.i.i.i, %.1898.i.i.i
-  %.2170.i.i.i = fmul contract double %.2127.i.i.i, %.1984.i.i.i
-  %.2327.i.i.i = fmul contract double %.2120.i.i.i, %.2085.i.i.i
-  %.2347.i.i.i = fmul contract double %.2082.i.i.i, 0.000000e+00
-  %.2348.i.i.i = fadd contract double %.2347.i.i.i, %.2327.i.i.i
+  %.691.i.i = load i64, ptr %sunkaddr12.i.i, align 8, !noalias !3
+  %.116.i.i.i = load double, ptr %1, align 8, !noalias !6
+  %.146.i.i.i = load double, ptr %.145.i.i.i, align 8, !noalias !6
+  %.176.i.i.i = load double, ptr %.792.i, align 8, !noalias !6
+  %.177.i.i.i = fmul contract double %.146.i.i.i, %.176.i.i.i
+  %.178.i.i.i = fadd contract double %.116.i.i.i, %.177.i.i.i
+  %.208.i.i.i = load double, ptr %.717.i, align 8, !noalias !6
+  %.209.i.i.i = fsub contract double %.178.i.i.i, %.208.i.i.i
+  %.215.i.i.i = tail call contract double @llvm.fma.f64(double %.209.i.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.216.i.i.i = fadd contract double %.215.i.i.i, 0xC338000000000000
+  %.231.i.i.i = tail call contract double @llvm.fma.f64(double %.216.i.i.i, double 0xBFF921FB54442D18, double %.209.i.i.i)
+  %.246.i.i.i = tail call contract double @llvm.fma.f64(double %.216.i.i.i, double 0xBC91A62633145C07, double %.231.i.i.i)
+  %.247.i.i.i = fmul contract double %.246.i.i.i, %.246.i.i.i
+  %.248.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.249.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.248.i.i.i, double 0xBE5AE64567F544E4)
+  %.250.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.249.i.i.i, double 0x3EC71DE3A556C734)
+  %.251.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.250.i.i.i, double 0xBF2A01A01A01A01A)
+  %.252.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.251.i.i.i, double 0x3F81111111111111)
+  %.253.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.252.i.i.i, double 0xBFC5555555555555)
+  %.254.i.i.i = fmul contract double %.246.i.i.i, %.247.i.i.i
+  %.255.i.i.i = tail call contract double @llvm.fma.f64(double %.254.i.i.i, double %.253.i.i.i, double %.246.i.i.i)
+  %.256.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.257.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.256.i.i.i, double 0x3E21EED8EFF8D898)
+  %.258.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.257.i.i.i, double 0xBE927E4FB7789F5C)
+  %.259.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.258.i.i.i, double 0x3EFA01A01A01A01A)
+  %.260.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.259.i.i.i, double 0xBF56C16C16C16C17)
+  %.261.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.260.i.i.i, double 0x3FA5555555555555)
+  %.262.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.261.i.i.i, double -5.000000e-01)
+  %.263.i.i.i = tail call contract double @llvm.fma.f64(double %.247.i.i.i, double %.262.i.i.i, double 1.000000e+00)
+  %.264.i.i.i = bitcast double %.215.i.i.i to i64
+  %.265.i.i.i = bitcast double %.255.i.i.i to i64
+  %.266.i.i.i = bitcast double %.263.i.i.i to i64
+  %.267.i.i.i = xor i64 %.266.i.i.i, %.265.i.i.i
+  %.268.i.i.i = and i64 %.264.i.i.i, 1
+  %5 = icmp eq i64 %.268.i.i.i, 0
+  %.270.i.i.i = select i1 %5, i64 0, i64 %.267.i.i.i
+  %.271.i.i.i = shl i64 %.264.i.i.i, 62
+  %.272.i.i.i = and i64 %.271.i.i.i, -9223372036854775808
+  %.274.i.i.i = add i64 %.271.i.i.i, 4611686018427387904
+  %.275.i.i.i = and i64 %.274.i.i.i, -9223372036854775808
+  %6 = xor i64 %.272.i.i.i, %.265.i.i.i
+  %.277.i.i.i = xor i64 %6, %.270.i.i.i
+  %.278.i.i.i = bitcast i64 %.277.i.i.i to double
+  %7 = xor i64 %.275.i.i.i, %.266.i.i.i
+  %.280.i.i.i = xor i64 %7, %.270.i.i.i
+  %.281.i.i.i = bitcast i64 %.280.i.i.i to double
+  %.346.i.i.i = load double, ptr %.345.i.i.i, align 8, !noalias !6
+  %.347.i.i.i = tail call contract double @llvm.fma.f64(double %.346.i.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.348.i.i.i = fadd contract double %.347.i.i.i, 0xC338000000000000
+  %.363.i.i.i = tail call contract double @llvm.fma.f64(double %.348.i.i.i, double 0xBFF921FB54442D18, double %.346.i.i.i)
+  %.378.i.i.i = tail call contract double @llvm.fma.f64(double %.348.i.i.i, double 0xBC91A62633145C07, double %.363.i.i.i)
+  %.379.i.i.i = fmul contract double %.378.i.i.i, %.378.i.i.i
+  %.380.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.381.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.380.i.i.i, double 0xBE5AE64567F544E4)
+  %.382.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.381.i.i.i, double 0x3EC71DE3A556C734)
+  %.383.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.382.i.i.i, double 0xBF2A01A01A01A01A)
+  %.384.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.383.i.i.i, double 0x3F81111111111111)
+  %.385.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.384.i.i.i, double 0xBFC5555555555555)
+  %.386.i.i.i = fmul contract double %.378.i.i.i, %.379.i.i.i
+  %.387.i.i.i = tail call contract double @llvm.fma.f64(double %.386.i.i.i, double %.385.i.i.i, double %.378.i.i.i)
+  %.388.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.389.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.388.i.i.i, double 0x3E21EED8EFF8D898)
+  %.390.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.389.i.i.i, double 0xBE927E4FB7789F5C)
+  %.391.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.390.i.i.i, double 0x3EFA01A01A01A01A)
+  %.392.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.391.i.i.i, double 0xBF56C16C16C16C17)
+  %.393.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.392.i.i.i, double 0x3FA5555555555555)
+  %.394.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.393.i.i.i, double -5.000000e-01)
+  %.395.i.i.i = tail call contract double @llvm.fma.f64(double %.379.i.i.i, double %.394.i.i.i, double 1.000000e+00)
+  %.396.i.i.i = bitcast double %.347.i.i.i to i64
+  %.397.i.i.i = bitcast double %.387.i.i.i to i64
+  %.398.i.i.i = bitcast double %.395.i.i.i to i64
+  %.399.i.i.i = xor i64 %.398.i.i.i, %.397.i.i.i
+  %.400.i.i.i = and i64 %.396.i.i.i, 1
+  %8 = icmp eq i64 %.400.i.i.i, 0
+  %.402.i.i.i = select i1 %8, i64 0, i64 %.399.i.i.i
+  %.403.i.i.i = shl i64 %.396.i.i.i, 62
+  %.404.i.i.i = and i64 %.403.i.i.i, -9223372036854775808
+  %.406.i.i.i = add i64 %.403.i.i.i, 4611686018427387904
+  %.407.i.i.i = and i64 %.406.i.i.i, -9223372036854775808
+  %9 = xor i64 %.404.i.i.i, %.397.i.i.i
+  %.409.i.i.i = xor i64 %9, %.402.i.i.i
+  %.410.i.i.i = bitcast i64 %.409.i.i.i to double
+  %10 = xor i64 %.407.i.i.i, %.398.i.i.i
+  %.412.i.i.i = xor i64 %10, %.402.i.i.i
+  %.413.i.i.i = bitcast i64 %.412.i.i.i to double
+  %.468.i.i.i = load double, ptr %.469.i.i, align 8, !noalias !6
+  %.496.i.i.i = getelementptr i8, ptr %.469.i.i, i64 8
+  %.497.i.i.i = load double, ptr %.496.i.i.i, align 8, !noalias !6
+  %.525.i.i.i = getelementptr i8, ptr %.469.i.i, i64 16
+  %.526.i.i.i = load double, ptr %.525.i.i.i, align 8, !noalias !6
+  %.542.i.i.i = icmp eq i64 %.691.i.i, 1
+  br i1 %.542.i.i.i, label %B276.i.i.i, label %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+B276.i.i.i:                                       ; preds = %B232.if.i.i
+  %.547.i.i.i = fmul contract double %.468.i.i.i, %.281.i.i.i
+  %.553.i.i.i = fmul contract double %.497.i.i.i, %.278.i.i.i
+  %.556.i.i.i = fsub contract double %.547.i.i.i, %.553.i.i.i
+  %.558.i.i.i = fmul contract double %.556.i.i.i, %.413.i.i.i
+  %.562.i.i.i = fmul contract double %.526.i.i.i, %.410.i.i.i
+  %.563.i.i.i = fadd contract double %.562.i.i.i, %.558.i.i.i
+  %.568.i.i.i = fdiv contract double %.563.i.i.i, 0x41B1DE784A000000
+  %.605.i.i.i = fmul contract double %.146.i.i.i, %.568.i.i.i
+  %11 = fsub contract double %.209.i.i.i, %.605.i.i.i
+  %.610.i.i.i = tail call contract double @llvm.fma.f64(double %11, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.611.i.i.i = fadd contract double %.610.i.i.i, 0xC338000000000000
+  %.626.i.i.i = tail call contract double @llvm.fma.f64(double %.611.i.i.i, double 0xBFF921FB54442D18, double %11)
+  %.641.i.i.i = tail call contract double @llvm.fma.f64(double %.611.i.i.i, double 0xBC91A62633145C07, double %.626.i.i.i)
+  %.642.i.i.i = fmul contract double %.641.i.i.i, %.641.i.i.i
+  %.643.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.644.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.643.i.i.i, double 0xBE5AE64567F544E4)
+  %.645.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.644.i.i.i, double 0x3EC71DE3A556C734)
+  %.646.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.645.i.i.i, double 0xBF2A01A01A01A01A)
+  %.647.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.646.i.i.i, double 0x3F81111111111111)
+  %.648.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.647.i.i.i, double 0xBFC5555555555555)
+  %.649.i.i.i = fmul contract double %.641.i.i.i, %.642.i.i.i
+  %.650.i.i.i = tail call contract double @llvm.fma.f64(double %.649.i.i.i, double %.648.i.i.i, double %.641.i.i.i)
+  %.651.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.652.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.651.i.i.i, double 0x3E21EED8EFF8D898)
+  %.653.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.652.i.i.i, double 0xBE927E4FB7789F5C)
+  %.654.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.653.i.i.i, double 0x3EFA01A01A01A01A)
+  %.655.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.654.i.i.i, double 0xBF56C16C16C16C17)
+  %.656.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.655.i.i.i, double 0x3FA5555555555555)
+  %.657.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.656.i.i.i, double -5.000000e-01)
+  %.658.i.i.i = tail call contract double @llvm.fma.f64(double %.642.i.i.i, double %.657.i.i.i, double 1.000000e+00)
+  %.659.i.i.i = bitcast double %.610.i.i.i to i64
+  %.660.i.i.i = bitcast double %.650.i.i.i to i64
+  %.661.i.i.i = bitcast double %.658.i.i.i to i64
+  %.662.i.i.i = xor i64 %.661.i.i.i, %.660.i.i.i
+  %.663.i.i.i = and i64 %.659.i.i.i, 1
+  %12 = icmp eq i64 %.663.i.i.i, 0
+  %.665.i.i.i = select i1 %12, i64 0, i64 %.662.i.i.i
+  %.666.i.i.i = shl i64 %.659.i.i.i, 62
+  %.667.i.i.i = and i64 %.666.i.i.i, -9223372036854775808
+  %.669.i.i.i = add i64 %.666.i.i.i, 4611686018427387904
+  %.670.i.i.i = and i64 %.669.i.i.i, -9223372036854775808
+  %13 = xor i64 %.667.i.i.i, %.660.i.i.i
+  %.672.i.i.i = xor i64 %13, %.665.i.i.i
+  %.673.i.i.i = bitcast i64 %.672.i.i.i to double
+  %14 = xor i64 %.670.i.i.i, %.661.i.i.i
+  %.675.i.i.i = xor i64 %14, %.665.i.i.i
+  %.676.i.i.i = bitcast i64 %.675.i.i.i to double
+  br label %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+
+_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B276.i.i.i, %B232.if.i.i
+  %sin_h.2.0.i.i.i = phi double [ %.673.i.i.i, %B276.i.i.i ], [ %.278.i.i.i, %B232.if.i.i ]
+  %cos_h.2.0.i.i.i = phi double [ %.676.i.i.i, %B276.i.i.i ], [ %.281.i.i.i, %B232.if.i.i ]
+  %.775.i.i.i = fmul contract double %.468.i.i.i, %cos_h.2.0.i.i.i
+  %15 = fmul contract double %.497.i.i.i, %sin_h.2.0.i.i.i
+  %.779.i.i.i = fsub contract double %.775.i.i.i, %15
+  %.788.i.i.i = fmul contract double %.526.i.i.i, 0.000000e+00
+  %.789.i.i.i = fadd contract double %.788.i.i.i, %.779.i.i.i
+  %.791.i.i.i = fmul contract double %.789.i.i.i, %.413.i.i.i
+  %.795.i.i.i = fmul contract double %.526.i.i.i, %.410.i.i.i
+  %.796.i.i.i = fadd contract double %.795.i.i.i, %.791.i.i.i
+  %.801.i.i.i = fdiv contract double %.796.i.i.i, 0xC1B1DE784A000000
+  store double %.801.i.i.i, ptr %lsr.iv.i.i, align 8, !noalias !6
+  %.863.i.i.i = fdiv contract double %.791.i.i.i, 0x41B1DE784A000000
+  %.892.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 88
+  store double %.863.i.i.i, ptr %.892.i.i.i, align 8, !noalias !6
+  %.910.i.i.i = fmul contract double %.468.i.i.i, %sin_h.2.0.i.i.i
+  %.913.i.i.i = fmul contract double %.497.i.i.i, %cos_h.2.0.i.i.i
+  %.914.i.i.i = fadd contract double %.910.i.i.i, %.913.i.i.i
+  %.924.i.i.i = fadd contract double %.788.i.i.i, %.914.i.i.i
+  %.926.i.i.i = fmul contract double %.924.i.i.i, %.413.i.i.i
+  %.930.i.i.i = fdiv contract double %.926.i.i.i, 0x41B1DE784A000000
+  %.959.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 96
+  store double %.930.i.i.i, ptr %.959.i.i.i, align 8, !noalias !6
+  %.998.i.i.i = load double, ptr %.388.i.i, align 8, !noalias !6
+  %.1000.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.998.i.i.i
+  %.1028.i.i.i = getelementptr i8, ptr %.388.i.i, i64 8
+  %.1029.i.i.i = load double, ptr %.1028.i.i.i, align 8, !noalias !6
+  %16 = fmul contract double %sin_h.2.0.i.i.i, %.1029.i.i.i
+  %.1032.i.i.i = fsub contract double %.1000.i.i.i, %16
+  %.1060.i.i.i = getelementptr i8, ptr %.388.i.i, i64 16
+  %.1061.i.i.i = load double, ptr %.1060.i.i.i, align 8, !noalias !6
+  %.1063.i.i.i = fmul contract double %.1061.i.i.i, 0.000000e+00
+  %.1064.i.i.i = fadd contract double %.1032.i.i.i, %.1063.i.i.i
+  %.1092.i.i.i = getelementptr i8, ptr %.388.i.i, i64 24
+  %.1093.i.i.i = load double, ptr %.1092.i.i.i, align 8, !noalias !6
+  %.1095.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.1093.i.i.i
+  %.1123.i.i.i = getelementptr i8, ptr %.388.i.i, i64 32
+  %.1124.i.i.i = load double, ptr %.1123.i.i.i, align 8, !noalias !6
+  %17 = fmul contract double %sin_h.2.0.i.i.i, %.1124.i.i.i
+  %.1127.i.i.i = fsub contract double %.1095.i.i.i, %17
+  %.1155.i.i.i = getelementptr i8, ptr %.388.i.i, i64 40
+  %.1156.i.i.i = load double, ptr %.1155.i.i.i, align 8, !noalias !6
+  %.1158.i.i.i = fmul contract double %.1156.i.i.i, 0.000000e+00
+  %.1159.i.i.i = fadd contract double %.1127.i.i.i, %.1158.i.i.i
+  %.1187.i.i.i = getelementptr i8, ptr %.388.i.i, i64 48
+  %.1188.i.i.i = load double, ptr %.1187.i.i.i, align 8, !noalias !6
+  %.1190.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.1188.i.i.i
+  %.1218.i.i.i = getelementptr i8, ptr %.388.i.i, i64 56
+  %.1219.i.i.i = load double, ptr %.1218.i.i.i, align 8, !noalias !6
+  %18 = fmul contract double %sin_h.2.0.i.i.i, %.1219.i.i.i
+  %.1222.i.i.i = fsub contract double %.1190.i.i.i, %18
+  %.1250.i.i.i = getelementptr i8, ptr %.388.i.i, i64 64
+  %.1251.i.i.i = load double, ptr %.1250.i.i.i, align 8, !noalias !6
+  %.1259.i.i.i = fmul contract double %.1251.i.i.i, 0.000000e+00
+  %.1260.i.i.i = fadd contract double %.1222.i.i.i, %.1259.i.i.i
+  %.1318.i.i.i = fmul contract double %sin_h.2.0.i.i.i, %.998.i.i.i
+  %.1349.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.1029.i.i.i
+  %.1350.i.i.i = fadd contract double %.1318.i.i.i, %.1349.i.i.i
+  %.1382.i.i.i = fadd contract double %.1350.i.i.i, %.1063.i.i.i
+  %.1413.i.i.i = fmul contract double %sin_h.2.0.i.i.i, %.1093.i.i.i
+  %.1444.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.1124.i.i.i
+  %.1445.i.i.i = fadd contract double %.1413.i.i.i, %.1444.i.i.i
+  %.1477.i.i.i = fadd contract double %.1445.i.i.i, %.1158.i.i.i
+  %.1508.i.i.i = fmul contract double %sin_h.2.0.i.i.i, %.1188.i.i.i
+  %.1539.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.1219.i.i.i
+  %.1540.i.i.i = fadd contract double %.1508.i.i.i, %.1539.i.i.i
+  %.1578.i.i.i = fadd contract double %.1540.i.i.i, %.1259.i.i.i
+  %.1643.i.i.i = fmul contract double %.998.i.i.i, 0.000000e+00
+  %.1674.i.i.i = fmul contract double %.1029.i.i.i, 0.000000e+00
+  %.1675.i.i.i = fadd contract double %.1643.i.i.i, %.1674.i.i.i
+  %.1707.i.i.i = fadd contract double %.1061.i.i.i, %.1675.i.i.i
+  %.1738.i.i.i = fmul contract double %.1093.i.i.i, 0.000000e+00
+  %.1769.i.i.i = fmul contract double %.1124.i.i.i, 0.000000e+00
+  %.1770.i.i.i = fadd contract double %.1738.i.i.i, %.1769.i.i.i
+  %.1802.i.i.i = fadd contract double %.1156.i.i.i, %.1770.i.i.i
+  %.1833.i.i.i = fmul contract double %.1188.i.i.i, 0.000000e+00
+  %.1864.i.i.i = fmul contract double %.1219.i.i.i, 0.000000e+00
+  %.1865.i.i.i = fadd contract double %.1833.i.i.i, %.1864.i.i.i
+  %.1903.i.i.i = fadd contract double %.1251.i.i.i, %.1865.i.i.i
+  %.1947.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.1064.i.i.i
+  %19 = fmul contract double %sin_h.2.0.i.i.i, %.1159.i.i.i
+  %.1951.i.i.i = fsub contract double %.1947.i.i.i, %19
+  %.1960.i.i.i = fmul contract double %.1260.i.i.i, 0.000000e+00
+  %.1961.i.i.i = fadd contract double %.1951.i.i.i, %.1960.i.i.i
+  %.1972.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.1382.i.i.i
+  %20 = fmul contract double %sin_h.2.0.i.i.i, %.1477.i.i.i
+  %.1976.i.i.i = fsub contract double %.1972.i.i.i, %20
+  %.1985.i.i.i = fmul contract double %.1578.i.i.i, 0.000000e+00
+  %.1986.i.i.i = fadd contract double %.1976.i.i.i, %.1985.i.i.i
+  %.2000.i.i.i = fmul contract double %sin_h.2.0.i.i.i, %.1382.i.i.i
+  %.2003.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.1477.i.i.i
+  %.2004.i.i.i = fadd contract double %.2000.i.i.i, %.2003.i.i.i
+  %.2014.i.i.i = fadd contract double %.2004.i.i.i, %.1985.i.i.i
+  %.2025.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.1707.i.i.i
+  %21 = fmul contract double %sin_h.2.0.i.i.i, %.1802.i.i.i
+  %.2029.i.i.i = fsub contract double %.2025.i.i.i, %21
+  %.2038.i.i.i = fmul contract double %.1903.i.i.i, 0.000000e+00
+  %.2039.i.i.i = fadd contract double %.2029.i.i.i, %.2038.i.i.i
+  %.2050.i.i.i = fmul contract double %sin_h.2.0.i.i.i, %.1707.i.i.i
+  %.2053.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.1802.i.i.i
+  %.2054.i.i.i = fadd contract double %.2050.i.i.i, %.2053.i.i.i
+  %.2064.i.i.i = fadd contract double %.2054.i.i.i, %.2038.i.i.i
+  %.2069.i.i.i = fadd contract double %.1961.i.i.i, %.2014.i.i.i
+  %.2070.i.i.i = fmul contract double %.2069.i.i.i, 5.000000e-01
+  %.2071.i.i.i = fsub contract double %.2014.i.i.i, %.1961.i.i.i
+  %.2072.i.i.i = fmul contract double %.2071.i.i.i, 5.000000e-01
+  %.2103.i.i.i = load double, ptr %.2102.i.i.i, align 8, !noalias !6
+  %.2109.i.i.i = fmul contract double %.2103.i.i.i, 2.000000e+00
+  %.2110.i.i.i = tail call contract double @llvm.fma.f64(double %.2109.i.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.2111.i.i.i = fadd contract double %.2110.i.i.i, 0xC338000000000000
+  %.2126.i.i.i = tail call contract double @llvm.fma.f64(double %.2111.i.i.i, double 0xBFF921FB54442D18, double %.2109.i.i.i)
+  %.2141.i.i.i = tail call contract double @llvm.fma.f64(double %.2111.i.i.i, double 0xBC91A62633145C07, double %.2126.i.i.i)
+  %.2142.i.i.i = fmul contract double %.2141.i.i.i, %.2141.i.i.i
+  %.2143.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.2144.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2143.i.i.i, double 0xBE5AE64567F544E4)
+  %.2145.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2144.i.i.i, double 0x3EC71DE3A556C734)
+  %.2146.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2145.i.i.i, double 0xBF2A01A01A01A01A)
+  %.2147.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2146.i.i.i, double 0x3F81111111111111)
+  %.2148.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2147.i.i.i, double 0xBFC5555555555555)
+  %.2149.i.i.i = fmul contract double %.2141.i.i.i, %.2142.i.i.i
+  %.2150.i.i.i = tail call contract double @llvm.fma.f64(double %.2149.i.i.i, double %.2148.i.i.i, double %.2141.i.i.i)
+  %.2151.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.2152.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2151.i.i.i, double 0x3E21EED8EFF8D898)
+  %.2153.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2152.i.i.i, double 0xBE927E4FB7789F5C)
+  %.2154.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2153.i.i.i, double 0x3EFA01A01A01A01A)
+  %.2155.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2154.i.i.i, double 0xBF56C16C16C16C17)
+  %.2156.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2155.i.i.i, double 0x3FA5555555555555)
+  %.2157.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2156.i.i.i, double -5.000000e-01)
+  %.2158.i.i.i = tail call contract double @llvm.fma.f64(double %.2142.i.i.i, double %.2157.i.i.i, double 1.000000e+00)
+  %.2159.i.i.i = bitcast double %.2110.i.i.i to i64
+  %.2160.i.i.i = bitcast double %.2150.i.i.i to i64
+  %.2161.i.i.i = bitcast double %.2158.i.i.i to i64
+  %.2162.i.i.i = xor i64 %.2161.i.i.i, %.2160.i.i.i
+  %.2163.i.i.i = and i64 %.2159.i.i.i, 1
+  %22 = icmp eq i64 %.2163.i.i.i, 0
+  %.2165.i.i.i = select i1 %22, i64 0, i64 %.2162.i.i.i
+  %.2166.i.i.i = shl i64 %.2159.i.i.i, 62
+  %.2167.i.i.i = and i64 %.2166.i.i.i, -9223372036854775808
+  %.2169.i.i.i = add i64 %.2166.i.i.i, 4611686018427387904
+  %.2170.i.i.i = and i64 %.2169.i.i.i, -9223372036854775808
+  %23 = xor i64 %.2167.i.i.i, %.2160.i.i.i
+  %.2172.i.i.i = xor i64 %23, %.2165.i.i.i
+  %.2173.i.i.i = bitcast i64 %.2172.i.i.i to double
+  %24 = xor i64 %.2170.i.i.i, %.2161.i.i.i
+  %.2175.i.i.i = xor i64 %24, %.2165.i.i.i
+  %.2176.i.i.i = bitcast i64 %.2175.i.i.i to double
+  %.2204.i.i.i = fmul contract double %.2070.i.i.i, %.413.i.i.i
+  %.2206.i.i.i = fmul contract double %.2204.i.i.i, %.413.i.i.i
+  %.2209.i.i.i = fmul contract double %.413.i.i.i, %.413.i.i.i
+  %.2210.i.i.i = fmul contract double %.2209.i.i.i, %.1903.i.i.i
+  %.2211.i.i.i = fsub contract double %.2206.i.i.i, %.2210.i.i.i
+  %.2213.i.i.i = fmul contract double %.410.i.i.i, 2.000000e+00
+  %.2215.i.i.i = fmul contract double %.2213.i.i.i, %.413.i.i.i
+  %.2216.i.i.i = fmul contract double %.2215.i.i.i, %.2039.i.i.i
+  %.2218.i.i.i = fmul contract double %.410.i.i.i, -2.000000e+00
+  %.2220.i.i.i = fmul contract double %.2218.i.i.i, %.413.i.i.i
+  %.2221.i.i.i = fmul contract double %.2220.i.i.i, %.2064.i.i.i
+  %.2224.i.i.i = fmul contract double %.410.i.i.i, %.410.i.i.i
+  %.2225.i.i.i = fadd contract double %.2224.i.i.i, 1.000000e+00
+  %.2226.i.i.i = fmul contract double %.2225.i.i.i, %.2072.i.i.i
+  %.2231.i.i.i = fmul contract double %.2225.i.i.i, %.1986.i.i.i
+  %.2251.i.i.i = fmul contract double %.413.i.i.i, -2.000000e+00
+  %.2252.i.i.i = fmul contract double %.2251.i.i.i, %.2064.i.i.i
+  %.2255.i.i.i = fmul contract double %.2251.i.i.i, %.2039.i.i.i
+  %.2258.i.i.i = fmul contract double %.2213.i.i.i, %.1986.i.i.i
+  %.2261.i.i.i = fmul contract double %.2218.i.i.i, %.2072.i.i.i
+  %.2418.i.i.i = fmul contract double %.2211.i.i.i, %.2176.i.i.i
+  %.2438.i.i.i = fmul contract double %.2173.i.i.i, 0.000000e+00
+  %.2439.i.i.i = fadd contract double %.2418.i.i.i, %.2438.i.i.i
   %25 = getelementptr i8, ptr %lsr.iv.i.i, i64 8
-  store double %.2348.i.i.i, ptr %25, align 8, !noalias !6
-  %.2399.i.i.i = fmul contract double %.2085.i.i.i, 0.000000e+00
-  %.2419.i.i.i = fmul contract double %.2120.i.i.i, %.2082.i.i.i
-  %.2420.i.i.i = fsub contract double %.2399.i.i.i, %.2419.i.i.i
+  store double %.2439.i.i.i, ptr %25, align 8, !noalias !6
+  %.2490.i.i.i = fmul contract double %.2176.i.i.i, 0.000000e+00
+  %.2510.i.i.i = fmul contract double %.2211.i.i.i, %.2173.i.i.i
+  %.2511.i.i.i = fsub contract double %.2490.i.i.i, %.2510.i.i.i
   %26 = getelementptr i8, ptr %lsr.iv.i.i, i64 48
-  store double %.2420.i.i.i, ptr %26, align 8, !noalias !6
-  %.2327.1.i.i.i = fmul contract double %.2125.i.i.i, %.2085.i.i.i
-  %.2347.1.i.i.i = fmul contract double %.2161.i.i.i, %.2082.i.i.i
-  %.2348.1.i.i.i = fadd contract double %.2327.1.i.i.i, %.2347.1.i.i.i
+  store double %.2511.i.i.i, ptr %26, align 8, !noalias !6
+  %.2418.1.i.i.i = fmul contract double %.2216.i.i.i, %.2176.i.i.i
+  %.2438.1.i.i.i = fmul contract double %.2252.i.i.i, %.2173.i.i.i
+  %.2439.1.i.i.i = fadd contract double %.2418.1.i.i.i, %.2438.1.i.i.i
   %27 = getelementptr i8, ptr %lsr.iv.i.i, i64 16
-  store double %.2348.1.i.i.i, ptr %27, align 8, !noalias !6
-  %.2399.1.i.i.i = fmul contract double %.2161.i.i.i, %.2085.i.i.i
-  %.2419.1.i.i.i = fmul contract double %.2125.i.i.i, %.2082.i.i.i
-  %.2420.1.i.i.i = fsub contract double %.2399.1.i.i.i, %.2419.1.i.i.i
+  store double %.2439.1.i.i.i, ptr %27, align 8, !noalias !6
+  %.2490.1.i.i.i = fmul contract double %.2252.i.i.i, %.2176.i.i.i
+  %.2510.1.i.i.i = fmul contract double %.2216.i.i.i, %.2173.i.i.i
+  %.2511.1.i.i.i = fsub contract double %.2490.1.i.i.i, %.2510.1.i.i.i
   %28 = getelementptr i8, ptr %lsr.iv.i.i, i64 56
-  store double %.2420.1.i.i.i, ptr %28, align 8, !noalias !6
-  %.2327.2.i.i.i = fmul contract double %.2130.i.i.i, %.2085.i.i.i
-  %.2347.2.i.i.i = fmul contract double %.2164.i.i.i, %.2082.i.i.i
-  %.2348.2.i.i.i = fadd contract double %.2327.2.i.i.i, %.2347.2.i.i.i
+  store double %.2511.1.i.i.i, ptr %28, align 8, !noalias !6
+  %.2418.2.i.i.i = fmul contract double %.2221.i.i.i, %.2176.i.i.i
+  %.2438.2.i.i.i = fmul contract double %.2255.i.i.i, %.2173.i.i.i
+  %.2439.2.i.i.i = fadd contract double %.2418.2.i.i.i, %.2438.2.i.i.i
   %29 = getelementptr i8, ptr %lsr.iv.i.i, i64 24
-  store double %.2348.2.i.i.i, ptr %29, align 8, !noalias !6
-  %.2399.2.i.i.i = fmul contract double %.2164.i.i.i, %.2085.i.i.i
-  %.2419.2.i.i.i = fmul contract double %.2130.i.i.i, %.2082.i.i.i
-  %.2420.2.i.i.i = fsub contract double %.2399.2.i.i.i, %.2419.2.i.i.i
+  store double %.2439.2.i.i.i, ptr %29, align 8, !noalias !6
+  %.2490.2.i.i.i = fmul contract double %.2255.i.i.i, %.2176.i.i.i
+  %.2510.2.i.i.i = fmul contract double %.2221.i.i.i, %.2173.i.i.i
+  %.2511.2.i.i.i = fsub contract double %.2490.2.i.i.i, %.2510.2.i.i.i
   %30 = getelementptr i8, ptr %lsr.iv.i.i, i64 64
-  store double %.2420.2.i.i.i, ptr %30, align 8, !noalias !6
-  %.2327.3.i.i.i = fmul contract double %.2135.i.i.i, %.2085.i.i.i
-  %.2347.3.i.i.i = fmul contract double %.2167.i.i.i, %.2082.i.i.i
-  %.2348.3.i.i.i = fadd contract double %.2347.3.i.i.i, %.2327.3.i.i.i
+  store double %.2511.2.i.i.i, ptr %30, align 8, !noalias !6
+  %.2418.3.i.i.i = fmul contract double %.2226.i.i.i, %.2176.i.i.i
+  %.2438.3.i.i.i = fmul contract double %.2258.i.i.i, %.2173.i.i.i
+  %.2439.3.i.i.i = fadd contract double %.2418.3.i.i.i, %.2438.3.i.i.i
   %31 = getelementptr i8, ptr %lsr.iv.i.i, i64 32
-  store double %.2348.3.i.i.i, ptr %31, align 8, !noalias !6
-  %.2399.3.i.i.i = fmul contract double %.2167.i.i.i, %.2085.i.i.i
-  %.2419.3.i.i.i = fmul contract double %.2135.i.i.i, %.2082.i.i.i
-  %.2420.3.i.i.i = fsub contract double %.2399.3.i.i.i, %.2419.3.i.i.i
+  store double %.2439.3.i.i.i, ptr %31, align 8, !noalias !6
+  %.2490.3.i.i.i = fmul contract double %.2258.i.i.i, %.2176.i.i.i
+  %.2510.3.i.i.i = fmul contract double %.2226.i.i.i, %.2173.i.i.i
+  %.2511.3.i.i.i = fsub contract double %.2490.3.i.i.i, %.2510.3.i.i.i
   %32 = getelementptr i8, ptr %lsr.iv.i.i, i64 72
-  store double %.2420.3.i.i.i, ptr %32, align 8, !noalias !6
-  %.2327.4.i.i.i = fmul contract double %.2140.i.i.i, %.2085.i.i.i
-  %.2347.4.i.i.i = fmul contract double %.2170.i.i.i, %.2082.i.i.i
-  %.2348.4.i.i.i = fadd contract double %.2327.4.i.i.i, %.2347.4.i.i.i
+  store double %.2511.3.i.i.i, ptr %32, align 8, !noalias !6
+  %.2418.4.i.i.i = fmul contract double %.2231.i.i.i, %.2176.i.i.i
+  %.2438.4.i.i.i = fmul contract double %.2261.i.i.i, %.2173.i.i.i
+  %.2439.4.i.i.i = fadd contract double %.2418.4.i.i.i, %.2438.4.i.i.i
   %33 = getelementptr i8, ptr %lsr.iv.i.i, i64 40
-  store double %.2348.4.i.i.i, ptr %33, align 8, !noalias !6
-  %.2399.4.i.i.i = fmul contract double %.2170.i.i.i, %.2085.i.i.i
-  %.2419.4.i.i.i = fmul contract double %.2140.i.i.i, %.2082.i.i.i
-  %.2420.4.i.i.i = fsub contract double %.2399.4.i.i.i, %.2419.4.i.i.i
+  store double %.2439.4.i.i.i, ptr %33, align 8, !noalias !6
+  %.2490.4.i.i.i = fmul contract double %.2261.i.i.i, %.2176.i.i.i
+  %.2510.4.i.i.i = fmul contract double %.2231.i.i.i, %.2173.i.i.i
+  %.2511.4.i.i.i = fsub contract double %.2490.4.i.i.i, %.2510.4.i.i.i
   %34 = getelementptr i8, ptr %lsr.iv.i.i, i64 80
-  store double %.2420.4.i.i.i, ptr %34, align 8, !noalias !6
-  %.2500.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 104
-  store i64 %.2084.i.i.i, ptr %.2500.i.i.i, align 8, !noalias !6
-  %.2533.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 112
-  store i64 %.2081.i.i.i, ptr %.2533.i.i.i, align 8, !noalias !6
-  %.2566.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 120
-  store i64 %.382.i.i.i, ptr %.2566.i.i.i, align 8, !noalias !6
-  %.2599.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 128
-  store i64 %.379.i.i.i, ptr %.2599.i.i.i, align 8, !noalias !6
-  %.2750.i.i.i = load double, ptr %.550.i.i, align 8, !noalias !6
+  store double %.2511.4.i.i.i, ptr %34, align 8, !noalias !6
+  %.2591.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 104
+  store i64 %.2175.i.i.i, ptr %.2591.i.i.i, align 8, !noalias !6
+  %.2624.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 112
+  store i64 %.2172.i.i.i, ptr %.2624.i.i.i, align 8, !noalias !6
+  %.2657.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 120
+  store i64 %.412.i.i.i, ptr %.2657.i.i.i, align 8, !noalias !6
+  %.2690.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 128
+  store i64 %.409.i.i.i, ptr %.2690.i.i.i, align 8, !noalias !6
+  %.2841.i.i.i = load double, ptr %.550.i.i, align 8, !noalias !6
   %35 = getelementptr i8, ptr %.550.i.i, i64 8
-  %.2782.i.i.i = load double, ptr %35, align 8, !noalias !6
+  %.2873.i.i.i = load double, ptr %35, align 8, !noalias !6
   %36 = getelementptr i8, ptr %.550.i.i, i64 16
-  %.2814.i.i.i = load double, ptr %36, align 8, !noalias !6
-  %.2838.i.i.i = fmul contract double %.2750.i.i.i, %.2750.i.i.i
-  %.2841.i.i.i = fmul contract double %.2782.i.i.i, %.2782.i.i.i
-  %.2842.i.i.i = fadd contract double %.2838.i.i.i, %.2841.i.i.i
-  %.2851.i.i.i = fmul contract double %.2814.i.i.i, %.2814.i.i.i
-  %.2852.i.i.i = fadd contract double %.2842.i.i.i, %.2851.i.i.i
-  %.2853.i.i.i = tail call contract double @sqrt(double %.2852.i.i.i)
-  %.2853.fr.i.i.i = freeze double %.2853.i.i.i
-  %.2873.i.i.i = fcmp contract ogt double %.2853.fr.i.i.i, 0.000000e+00
-  %.2879.i.i.i = fdiv contract double 1.000000e+00, %.2853.fr.i.i.i
-  %"$phi1844.1.2.1.i.i.i" = select i1 %.2873.i.i.i, double %.2879.i.i.i, double 0.000000e+00
-  %.2901.i.i.i = fmul contract double %.2750.i.i.i, %.623.i.i.i
-  %37 = fmul contract double %.2782.i.i.i, %.620.i.i.i
-  %.2905.i.i.i = fsub contract double %.2901.i.i.i, %37
-  %.2914.i.i.i = fmul contract double %.2814.i.i.i, 0.000000e+00
-  %.2915.i.i.i = fadd contract double %.2914.i.i.i, %.2905.i.i.i
-  %.2916.i.i.i = fmul contract double %"$phi1844.1.2.1.i.i.i", %.2915.i.i.i
-  %.2928.i.i.i = fmul contract double %.2750.i.i.i, %.620.i.i.i
-  %.2931.i.i.i = fmul contract double %.2782.i.i.i, %.623.i.i.i
-  %.2932.i.i.i = fadd contract double %.2928.i.i.i, %.2931.i.i.i
-  %.2942.i.i.i = fadd contract double %.2914.i.i.i, %.2932.i.i.i
-  %.2943.i.i.i = fmul contract double %"$phi1844.1.2.1.i.i.i", %.2942.i.i.i
-  %.2973.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 136
-  store double %.2916.i.i.i, ptr %.2973.i.i.i, align 8, !noalias !6
-  %.3005.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 144
-  store double %.2943.i.i.i, ptr %.3005.i.i.i, align 8, !noalias !6
-  %.3014.i.i.i = fmul contract double %.2814.i.i.i, %"$phi1844.1.2.1.i.i.i"
-  %.3019.i.i.i = fdiv contract double %.2853.fr.i.i.i, 0x41B1DE784A000000
-  %.3052.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 152
-  store double %.3014.i.i.i, ptr %.3052.i.i.i, align 8, !noalias !6
-  %.3086.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 160
-  store double %.3019.i.i.i, ptr %.3086.i.i.i, align 8, !noalias !6
+  %.2905.i.i.i = load double, ptr %36, align 8, !noalias !6
+  %.2929.i.i.i = fmul contract double %.2841.i.i.i, %.2841.i.i.i
+  %.2932.i.i.i = fmul contract double %.2873.i.i.i, %.2873.i.i.i
+  %.2933.i.i.i = fadd contract double %.2929.i.i.i, %.2932.i.i.i
+  %.2942.i.i.i = fmul contract double %.2905.i.i.i, %.2905.i.i.i
+  %.2943.i.i.i = fadd contract double %.2933.i.i.i, %.2942.i.i.i
+  %.2951.i.i.i = tail call contract double @sqrt(double %.2943.i.i.i)
+  %.2951.fr.i.i.i = freeze double %.2951.i.i.i
+  %.2975.i.i.i = fcmp contract ogt double %.2951.fr.i.i.i, 0.000000e+00
+  %.2981.i.i.i = fdiv contract double 1.000000e+00, %.2951.fr.i.i.i
+  %"$phi1856.1.2.1.i.i.i" = select i1 %.2975.i.i.i, double %.2981.i.i.i, double 0.000000e+00
+  %.3003.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.2841.i.i.i
+  %37 = fmul contract double %sin_h.2.0.i.i.i, %.2873.i.i.i
+  %.3007.i.i.i = fsub contract double %.3003.i.i.i, %37
+  %.3016.i.i.i = fmul contract double %.2905.i.i.i, 0.000000e+00
+  %.3017.i.i.i = fadd contract double %.3007.i.i.i, %.3016.i.i.i
+  %.3018.i.i.i = fmul contract double %.3017.i.i.i, %"$phi1856.1.2.1.i.i.i"
+  %.3030.i.i.i = fmul contract double %sin_h.2.0.i.i.i, %.2841.i.i.i
+  %.3033.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.2873.i.i.i
+  %.3034.i.i.i = fadd contract double %.3030.i.i.i, %.3033.i.i.i
+  %.3044.i.i.i = fadd contract double %.3034.i.i.i, %.3016.i.i.i
+  %.3045.i.i.i = fmul contract double %.3044.i.i.i, %"$phi1856.1.2.1.i.i.i"
+  %.3075.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 136
+  store double %.3018.i.i.i, ptr %.3075.i.i.i, align 8, !noalias !6
+  %.3107.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 144
+  store double %.3045.i.i.i, ptr %.3107.i.i.i, align 8, !noalias !6
+  %.3116.i.i.i = fmul contract double %.2905.i.i.i, %"$phi1856.1.2.1.i.i.i"
+  %.3121.i.i.i = fdiv contract double %.2951.fr.i.i.i, 0x41B1DE784A000000
+  %.3154.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 152
+  store double %.3116.i.i.i, ptr %.3154.i.i.i, align 8, !noalias !6
+  %.3188.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 160
+  store double %.3121.i.i.i, ptr %.3188.i.i.i, align 8, !noalias !6
   %38 = getelementptr i8, ptr %.550.i.i, i64 24
-  %.2750.1.i.i.i = load double, ptr %38, align 8, !noalias !6
+  %.2841.1.i.i.i = load double, ptr %38, align 8, !noalias !6
   %39 = getelementptr i8, ptr %.550.i.i, i64 32
-  %.2782.1.i.i.i = load double, ptr %39, align 8, !noalias !6
+  %.2873.1.i.i.i = load double, ptr %39, align 8, !noalias !6
   %40 = getelementptr i8, ptr %.550.i.i, i64 40
-  %.2814.1.i.i.i = load double, ptr %40, align 8, !noalias !6
-  %.2838.1.i.i.i = fmul contract double %.2750.1.i.i.i, %.2750.1.i.i.i
-  %.2841.1.i.i.i = fmul contract double %.2782.1.i.i.i, %.2782.1.i.i.i
-  %.2842.1.i.i.i = fadd contract double %.2838.1.i.i.i, %.2841.1.i.i.i
-  %.2851.1.i.i.i = fmul contract double %.2814.1.i.i.i, %.2814.1.i.i.i
-  %.2852.1.i.i.i = fadd contract double %.2842.1.i.i.i, %.2851.1.i.i.i
-  %.2853.1.i.i.i = tail call contract double @sqrt(double %.2852.1.i.i.i)
-  %.2853.1.fr.i.i.i = freeze double %.2853.1.i.i.i
-  %.2873.1.i.i.i = fcmp contract ogt double %.2853.1.fr.i.i.i, 0.000000e+00
-  %.2879.1.i.i.i = fdiv contract double 1.000000e+00, %.2853.1.fr.i.i.i
-  %"$phi1844.1.2.1.1.i.i.i" = select i1 %.2873.1.i.i.i, double %.2879.1.i.i.i, double 0.000000e+00
-  %.2901.1.i.i.i = fmul contract double %.2750.1.i.i.i, %.623.i.i.i
-  %41 = fmul contract double %.2782.1.i.i.i, %.620.i.i.i
-  %.2905.1.i.i.i = fsub contract double %.2901.1.i.i.i, %41
-  %.2914.1.i.i.i = fmul contract double %.2814.1.i.i.i, 0.000000e+00
-  %.2915.1.i.i.i = fadd contract double %.2914.1.i.i.i, %.2905.1.i.i.i
-  %.2916.1.i.i.i = fmul contract double %"$phi1844.1.2.1.1.i.i.i", %.2915.1.i.i.i
-  %.2928.1.i.i.i = fmul contract double %.2750.1.i.i.i, %.620.i.i.i
-  %.2931.1.i.i.i = fmul contract double %.2782.1.i.i.i, %.623.i.i.i
-  %.2932.1.i.i.i = fadd contract double %.2928.1.i.i.i, %.2931.1.i.i.i
-  %.2942.1.i.i.i = fadd contract double %.2914.1.i.i.i, %.2932.1.i.i.i
-  %.2943.1.i.i.i = fmul contract double %"$phi1844.1.2.1.1.i.i.i", %.2942.1.i.i.i
-  %.2973.1.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 168
-  store double %.2916.1.i.i.i, ptr %.2973.1.i.i.i, align 8, !noalias !6
-  %.3005.1.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 176
-  store double %.2943.1.i.i.i, ptr %.3005.1.i.i.i, align 8, !noalias !6
-  %.3014.1.i.i.i = fmul contract double %.2814.1.i.i.i, %"$phi1844.1.2.1.1.i.i.i"
-  %.3019.1.i.i.i = fdiv contract double %.2853.1.fr.i.i.i, 0x41B1DE784A000000
-  %.3052.1.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 184
-  store double %.3014.1.i.i.i, ptr %.3052.1.i.i.i, align 8, !noalias !6
-  %.3086.1.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 192
-  store double %.3019.1.i.i.i, ptr %.3086.1.i.i.i, align 8, !noalias !6
+  %.2905.1.i.i.i = load double, ptr %40, align 8, !noalias !6
+  %.2929.1.i.i.i = fmul contract double %.2841.1.i.i.i, %.2841.1.i.i.i
+  %.2932.1.i.i.i = fmul contract double %.2873.1.i.i.i, %.2873.1.i.i.i
+  %.2933.1.i.i.i = fadd contract double %.2929.1.i.i.i, %.2932.1.i.i.i
+  %.2942.1.i.i.i = fmul contract double %.2905.1.i.i.i, %.2905.1.i.i.i
+  %.2943.1.i.i.i = fadd contract double %.2933.1.i.i.i, %.2942.1.i.i.i
+  %.2951.1.i.i.i = tail call contract double @sqrt(double %.2943.1.i.i.i)
+  %.2951.1.fr.i.i.i = freeze double %.2951.1.i.i.i
+  %.2975.1.i.i.i = fcmp contract ogt double %.2951.1.fr.i.i.i, 0.000000e+00
+  %.2981.1.i.i.i = fdiv contract double 1.000000e+00, %.2951.1.fr.i.i.i
+  %"$phi1856.1.2.1.1.i.i.i" = select i1 %.2975.1.i.i.i, double %.2981.1.i.i.i, double 0.000000e+00
+  %.3003.1.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.2841.1.i.i.i
+  %41 = fmul contract double %sin_h.2.0.i.i.i, %.2873.1.i.i.i
+  %.3007.1.i.i.i = fsub contract double %.3003.1.i.i.i, %41
+  %.3016.1.i.i.i = fmul contract double %.2905.1.i.i.i, 0.000000e+00
+  %.3017.1.i.i.i = fadd contract double %.3007.1.i.i.i, %.3016.1.i.i.i
+  %.3018.1.i.i.i = fmul contract double %.3017.1.i.i.i, %"$phi1856.1.2.1.1.i.i.i"
+  %.3030.1.i.i.i = fmul contract double %sin_h.2.0.i.i.i, %.2841.1.i.i.i
+  %.3033.1.i.i.i = fmul contract double %cos_h.2.0.i.i.i, %.2873.1.i.i.i
+  %.3034.1.i.i.i = fadd contract double %.3030.1.i.i.i, %.3033.1.i.i.i
+  %.3044.1.i.i.i = fadd contract double %.3034.1.i.i.i, %.3016.1.i.i.i
+  %.3045.1.i.i.i = fmul contract double %.3044.1.i.i.i, %"$phi1856.1.2.1.1.i.i.i"
+  %.3075.1.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 168
+  store double %.3018.1.i.i.i, ptr %.3075.1.i.i.i, align 8, !noalias !6
+  %.3107.1.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 176
+  store double %.3045.1.i.i.i, ptr %.3107.1.i.i.i, align 8, !noalias !6
+  %.3116.1.i.i.i = fmul contract double %.2905.1.i.i.i, %"$phi1856.1.2.1.1.i.i.i"
+  %.3121.1.i.i.i = fdiv contract double %.2951.1.fr.i.i.i, 0x41B1DE784A000000
+  %.3154.1.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 184
+  store double %.3116.1.i.i.i, ptr %.3154.1.i.i.i, align 8, !noalias !6
+  %.3188.1.i.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 192
+  store double %.3121.1.i.i.i, ptr %.3188.1.i.i.i, align 8, !noalias !6
   %scevgep.i.i = getelementptr i8, ptr %lsr.iv.i.i, i64 200
   %lsr.iv.next.i.i = add i64 %lsr.iv100.i.i, 48
   %lsr.iv.next102.i.i = add i64 %lsr.iv101.i.i, 24
@@ -521,7 +532,7 @@ B232.if.i.i:                                      ; preds = %B232.if.i.i, %B232.
   %exitcond.not.i.i = icmp eq i64 %lsr.iv.next106.i.i, 0
   br i1 %exitcond.not.i.i, label %_ZN17bnserve_inference13moving_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B232.if.i.i
 
-_ZN17bnserve_inference13moving_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B232.if.i.i, %B568.i
+_ZN17bnserve_inference13moving_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B568.i
   %.50.i.i = load i64, ptr %.76.i, align 8, !noalias !9
   %.80.i.i = load i64, ptr %.106.i, align 8, !noalias !9
   %.110.i.i = load i64, ptr %.109.i.i, align 8, !noalias !9
@@ -798,16 +809,16 @@ B196.if.i.i.i:                                    ; preds = %B112.if.i.i.i, %B19
   %sunkaddr110.i.i.i = shl i64 %lsr.iv3.i.i.i, 2
   %sunkaddr111.i.i.i = getelementptr i8, ptr %.1214.i.i, i64 %sunkaddr110.i.i.i
   %sunkaddr112.i.i.i = getelementptr i8, ptr %sunkaddr111.i.i.i, i64 8
-  %.602.i.i7.i = load double, ptr %sunkaddr112.i.i.i, align 8, !noalias !14
+  %.602.i.i.i = load double, ptr %sunkaddr112.i.i.i, align 8, !noalias !14
   %.632.i.i.i = load double, ptr %sunkaddr111.i.i.i, align 8, !noalias !14
-  %.633.i.i.i = fmul contract double %.602.i.i7.i, %.632.i.i.i
+  %.633.i.i.i = fmul contract double %.602.i.i.i, %.632.i.i.i
   %sunkaddr116.i.i.i = getelementptr i8, ptr %.1282.i.i, i64 %sunkaddr110.i.i.i
   %sunkaddr117.i.i.i = getelementptr i8, ptr %sunkaddr116.i.i.i, i64 8
   %.664.i.i.i = load double, ptr %sunkaddr117.i.i.i, align 8, !noalias !14
   %.694.i.i.i = load double, ptr %sunkaddr116.i.i.i, align 8, !noalias !14
   %.695.i.i.i = fmul contract double %.664.i.i.i, %.694.i.i.i
   %.696.i.i.i = fadd contract double %.633.i.i.i, %.695.i.i.i
-  %.758.i.i.i = fmul contract double %.602.i.i7.i, %.694.i.i.i
+  %.758.i.i.i = fmul contract double %.602.i.i.i, %.694.i.i.i
   %.820.i.i.i = fmul contract double %.632.i.i.i, %.664.i.i.i
   %.821.i.i.i = fsub contract double %.758.i.i.i, %.820.i.i.i
   %85 = add i64 %lsr.iv3.i.i.i, %lsr.iv7.i.i.i
@@ -831,28 +842,28 @@ B196.if.i.i.i:                                    ; preds = %B112.if.i.i.i, %B19
   %.956.i.i.i = load double, ptr %scevgep20.i.i.i, align 8, !noalias !14
   %.957.i.i.i = fmul contract double %.855.i.i.i, %.922.i.i.i
   %.958.i.i.i = fmul contract double %.889.i.i.i, %.956.i.i.i
-  %.959.i.i.i = fadd contract double %.957.i.i.i, %.958.i.i.i
+  %.959.i.i7.i = fadd contract double %.957.i.i.i, %.958.i.i.i
   %.960.i.i.i = fmul contract double %.889.i.i.i, %.922.i.i.i
   %.961.i.i.i = fmul contract double %.855.i.i.i, %.956.i.i.i
   %.962.i.i.i = fsub contract double %.960.i.i.i, %.961.i.i.i
-  %.963.i.i.i = fmul contract double %.696.i.i.i, %.959.i.i.i
+  %.963.i.i.i = fmul contract double %.696.i.i.i, %.959.i.i7.i
   %.964.i.i.i = fmul contract double %.821.i.i.i, %.962.i.i.i
   %.965.i.i.i = fsub contract double %.963.i.i.i, %.964.i.i.i
-  %.966.i.i.i = fmul contract double %.821.i.i.i, %.959.i.i.i
+  %.966.i.i.i = fmul contract double %.821.i.i.i, %.959.i.i7.i
   %.967.i.i.i = fmul contract double %.696.i.i.i, %.962.i.i.i
   %.968.i.i.i = fadd contract double %.966.i.i.i, %.967.i.i.i
   %scevgep5.i.i.i = getelementptr i8, ptr %.1063.i.i, i64 %sunkaddr110.i.i.i
-  %.998.i.i.i = load double, ptr %scevgep5.i.i.i, align 8, !noalias !14
+  %.998.i.i8.i = load double, ptr %scevgep5.i.i.i, align 8, !noalias !14
   %.999.i.i.i = fmul contract double %.965.i.i.i, %.965.i.i.i
-  %.1000.i.i.i = fmul contract double %.968.i.i.i, %.968.i.i.i
-  %.1001.i.i.i = fsub contract double %.999.i.i.i, %.1000.i.i.i
-  %.1002.i.i.i = fadd contract double %.998.i.i.i, %.1001.i.i.i
+  %.1000.i.i9.i = fmul contract double %.968.i.i.i, %.968.i.i.i
+  %.1001.i.i.i = fsub contract double %.999.i.i.i, %.1000.i.i9.i
+  %.1002.i.i.i = fadd contract double %.998.i.i8.i, %.1001.i.i.i
   store double %.1002.i.i.i, ptr %scevgep5.i.i.i, align 8, !noalias !14
   %scevgep4.i.i.i = getelementptr i8, ptr %.1129.i.i, i64 %sunkaddr110.i.i.i
   %.1062.i.i.i = load double, ptr %scevgep4.i.i.i, align 8, !noalias !14
-  %.1063.i.i.i = fmul contract double %.965.i.i.i, 2.000000e+00
-  %.1064.i.i.i = fmul contract double %.968.i.i.i, %.1063.i.i.i
-  %.1065.i.i.i = fadd contract double %.1062.i.i.i, %.1064.i.i.i
+  %.1063.i.i10.i = fmul contract double %.965.i.i.i, 2.000000e+00
+  %.1064.i.i11.i = fmul contract double %.968.i.i.i, %.1063.i.i10.i
+  %.1065.i.i.i = fadd contract double %.1062.i.i.i, %.1064.i.i11.i
   store double %.1065.i.i.i, ptr %scevgep4.i.i.i, align 8, !noalias !14
   %lsr.iv.next.i.i.i = add nsw i64 %lsr.iv.i.i.i, -1
   %lsr.iv.next4.i.i.i = add nuw i64 %lsr.iv3.i.i.i, 2
@@ -870,13 +881,13 @@ B718.if.i.i.i:                                    ; preds = %B682.i.i.i, %B718.i
   %.1312.i.i.i = fmul contract double %.1281.i.i.i, %.1281.i.i.i
   %.1313.i.i.i = fmul contract double %.1311.i.i.i, %.1311.i.i.i
   %.1314.i.i.i = fadd contract double %.1312.i.i.i, %.1313.i.i.i
-  %.1315.i.i.i = tail call contract double @sqrt(double %.1314.i.i.i)
+  %.1315.i.i.i = tail call contract double @llvm.sqrt.f64(double %.1314.i.i.i)
   %.1316.i.i.i = fadd contract double %.1281.i.i.i, %.1315.i.i.i
   %.1317.i.i.i = fadd contract double %.1316.i.i.i, 1.000000e-300
   %.1321.i.i.i = fdiv contract double %.1311.i.i.i, %.1317.i.i.i
   %.1322.i.i.i = fmul contract double %.1321.i.i.i, %.1321.i.i.i
   %.1323.i.i.i = fadd contract double %.1322.i.i.i, 1.000000e+00
-  %.1324.i.i.i = tail call contract double @sqrt(double %.1323.i.i.i)
+  %.1324.i.i.i = tail call contract double @llvm.sqrt.f64(double %.1323.i.i.i)
   %.1325.i.i.i = fadd contract double %.1324.i.i.i, 1.000000e+00
   %.1329.i.i.i = fdiv contract double %.1321.i.i.i, %.1325.i.i.i
   %.1330.i.i.i = fmul contract double %.1329.i.i.i, %.1329.i.i.i
@@ -987,7 +998,7 @@ B1076.i:                                          ; preds = %.1995.endif.prehead
   br i1 %.21261117.not.i, label %B1468.i, label %B1120.if.preheader.i
 
 B1120.if.preheader.i:                             ; preds = %B1076.i
-  %.548.i93.i = shl i64 %.631.sroa.0.073.i, 4
+  %.548.i123.i = shl i64 %.631.sroa.0.073.i, 4
   br label %B1120.if.i
 
 B1120.loopexit.i:                                 ; preds = %_ZN17bnserve_inference12modes_kernel7_source10_add_pairsB4v169B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %_ZN17bnserve_inference13moving_kernel7_source9_polariseB3v58B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
@@ -1010,15 +1021,16 @@ B568.lr.ph.i:                                     ; preds = %entry
   %.21261117.not.i = select i1 %.2084.inv.i, i1 true, i1 %.21261117.not1354.i
   %sunkaddr127.i = getelementptr i8, ptr %arg.arguments, i64 152
   %.109.i.i = getelementptr i8, ptr %arg.arguments, i64 8
-  %.193.i.i = getelementptr i8, ptr %arg.arguments, i64 264
-  %.227.i.i = getelementptr i8, ptr %arg.arguments, i64 272
+  %.193.i.i = getelementptr i8, ptr %arg.arguments, i64 272
+  %.227.i.i = getelementptr i8, ptr %arg.arguments, i64 280
   %104 = icmp slt i64 %.425.i, 1
   %105 = icmp slt i64 %.429.i, 2
   %106 = icmp sgt i64 %"$phi500.0.2.0.i", 0
   %.152.i.i = getelementptr i8, ptr %arg.arguments, i64 56
-  %sunkaddr9.i.i = getelementptr i8, ptr %arg.arguments, i64 64
-  %sunkaddr10.i.i = getelementptr i8, ptr %arg.arguments, i64 72
+  %sunkaddr10.i.i = getelementptr i8, ptr %arg.arguments, i64 64
+  %sunkaddr11.i.i = getelementptr i8, ptr %arg.arguments, i64 72
   %sunkaddr.i.i = getelementptr i8, ptr %arg.arguments, i64 232
+  %sunkaddr12.i.i = getelementptr i8, ptr %arg.arguments, i64 264
   %.547.i1.i = getelementptr i8, ptr %arg.arguments, i64 240
   %.459.i.i = getelementptr i8, ptr %arg.arguments, i64 88
   %.361.i.i = getelementptr i8, ptr %arg.arguments, i64 128
@@ -1036,11 +1048,11 @@ B568.lr.ph.i:                                     ; preds = %entry
   %.2784.i.i = getelementptr i8, ptr %arg.arguments, i64 168
   %.2902.i.i = getelementptr i8, ptr %arg.arguments, i64 176
   %.491.i.i = getelementptr i8, ptr %arg.arguments, i64 192
-  %.413.i95.i = getelementptr i8, ptr %arg.arguments, i64 48
+  %.413.i125.i = getelementptr i8, ptr %arg.arguments, i64 48
   %.138.i.i = getelementptr i8, ptr %arg.arguments, i64 32
   %sunkaddr88.i.i = getelementptr i8, ptr %arg.arguments, i64 40
   %sunkaddr89.i.i = getelementptr i8, ptr %arg.arguments, i64 96
-  %sunkaddr.i202.i = getelementptr i8, ptr %arg.arguments, i64 104
+  %sunkaddr.i213.i = getelementptr i8, ptr %arg.arguments, i64 104
   br label %B568.i
 
 .1216.endif.preheader.i:                          ; preds = %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v40B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit.i
@@ -1080,21 +1092,21 @@ B1120.if.i:                                       ; preds = %B1120.loopexit.i, %
   %.2139.i = add i64 %.213211001120.i, 512
   %.2169.i = sub nsw i64 %.390.i, %.213211001120.i
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.2169.i, i64 512)
-  %.79.i8.i = load i64, ptr %.109.i.i, align 8, !noalias !19
+  %.79.i12.i = load i64, ptr %.109.i.i, align 8, !noalias !19
   %.108.i.i = load i64, ptr %.76.i, align 8, !noalias !19
   %.137.i.i = load i64, ptr %.106.i, align 8, !noalias !19
   %.149.i.i = sub i64 0, %.137.i.i
   %.157.1.i.i = and i64 %.149.i.i, -8
   %.224.i.i = load i64, ptr %.361.i.i, align 8, !noalias !19
-  %.226.i.i = shl i64 %.79.i8.i, 4
-  %.228.i9.i = mul i64 %.226.i.i, %.631.sroa.0.073.i
-  %.229.i10.i = mul i64 %.228.i9.i, %.137.i.i
-  %.230.i.i = add nsw i64 %.229.i10.i, %.224.i.i
+  %.226.i.i = shl i64 %.79.i12.i, 4
+  %.228.i13.i = mul i64 %.226.i.i, %.631.sroa.0.073.i
+  %.229.i14.i = mul i64 %.228.i13.i, %.137.i.i
+  %.230.i.i = add nsw i64 %.229.i14.i, %.224.i.i
   %.320.i.i = load i64, ptr %.319.i.i, align 8, !noalias !19
-  %.323.i.i = mul i64 %.79.i8.i, %.229.i.i
+  %.323.i.i = mul i64 %.79.i12.i, %.229.i.i
   %.324.i.i = add nsw i64 %.320.i.i, %.323.i.i
   %.409.i.i = load i64, ptr %.408.i.i, align 8, !noalias !19
-  %.413.i.i = add nsw i64 %.409.i.i, %.228.i9.i
+  %.413.i.i = add nsw i64 %.409.i.i, %.228.i13.i
   %.499.i.i = load i64, ptr %.459.i.i, align 8, !noalias !19
   %.584.i.i = load i64, ptr %.152.i.i, align 8, !noalias !19
   %.588.i.i = inttoptr i64 %.584.i.i to ptr
@@ -1113,14 +1125,14 @@ B622.i.i:                                         ; preds = %.2478.endif.endif.e
   br i1 %117, label %.2478.endif.endif.endif.endif.i.i, label %B56.if.i.preheader.i.i, !prof !18
 
 B980.i.i:                                         ; preds = %.2478.endif.endif.endif.endif.i.i, %B1120.if.i
-  %.29671389.not.i.i = icmp slt i64 %.79.i8.i, 1
+  %.29671389.not.i.i = icmp slt i64 %.79.i12.i, 1
   br i1 %.29671389.not.i.i, label %_ZN17bnserve_inference13moving_kernel7_source9_polariseB3v58B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1010.if.preheader.i.i
 
 B1010.if.preheader.i.i:                           ; preds = %B980.i.i
   %108 = mul i64 %.137.i.i, %.226.i.i
   %109 = shl i64 %.108.i.i, 13
   %110 = getelementptr i8, ptr %.289.i, i64 %109
-  %scevgep.i11.i = getelementptr i8, ptr %110, i64 20480
+  %scevgep.i15.i = getelementptr i8, ptr %110, i64 20480
   %scevgep7.i.i = getelementptr i8, ptr %110, i64 28672
   %111 = icmp slt i64 %.13.i.i.i, 1
   %112 = inttoptr i64 %.324.i.i to ptr
@@ -1157,49 +1169,49 @@ B56.if.i.i.i:                                     ; preds = %B56.if.i.i.i, %B56.
   %.147106108.i.i.i = phi i64 [ %.154.i.i.i, %B56.if.i.i.i ], [ 0, %B56.if.i.preheader.i.i ]
   %.154.i.i.i = add nuw nsw i64 %.147106108.i.i.i, 1
   %119 = shl i64 %.147106108.i.i.i, 3
-  %scevgep2.i.i24.i = getelementptr i8, ptr %.2780.i.i, i64 %119
-  %.209.i.i.i = load double, ptr %scevgep2.i.i24.i, align 8, !noalias !22
-  %.211.i.i.i = fmul contract double %.664.i.i, %.209.i.i.i
+  %scevgep2.i.i28.i = getelementptr i8, ptr %.2780.i.i, i64 %119
+  %.209.i.i29.i = load double, ptr %scevgep2.i.i28.i, align 8, !noalias !22
+  %.211.i.i.i = fmul contract double %.664.i.i, %.209.i.i29.i
   %.212.i.i.i = tail call contract double @llvm.fma.f64(double %.211.i.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
   %.213.i.i.i = fadd contract double %.212.i.i.i, 0xC338000000000000
   %.228.i.i.i = tail call contract double @llvm.fma.f64(double %.213.i.i.i, double 0xBFF921FB54442D18, double %.211.i.i.i)
-  %.243.i.i25.i = tail call contract double @llvm.fma.f64(double %.213.i.i.i, double 0xBC91A62633145C07, double %.228.i.i.i)
-  %.244.i.i26.i = fmul contract double %.243.i.i25.i, %.243.i.i25.i
-  %.245.i.i27.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
-  %.246.i.i28.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.245.i.i27.i, double 0xBE5AE64567F544E4)
-  %.247.i.i29.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.246.i.i28.i, double 0x3EC71DE3A556C734)
-  %.248.i.i30.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.247.i.i29.i, double 0xBF2A01A01A01A01A)
-  %.249.i.i31.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.248.i.i30.i, double 0x3F81111111111111)
-  %.250.i.i32.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.249.i.i31.i, double 0xBFC5555555555555)
-  %.251.i.i33.i = fmul contract double %.243.i.i25.i, %.244.i.i26.i
-  %.252.i.i34.i = tail call contract double @llvm.fma.f64(double %.251.i.i33.i, double %.250.i.i32.i, double %.243.i.i25.i)
-  %.253.i.i35.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
-  %.254.i.i.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.253.i.i35.i, double 0x3E21EED8EFF8D898)
-  %.255.i.i36.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.254.i.i.i, double 0xBE927E4FB7789F5C)
-  %.256.i.i37.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.255.i.i36.i, double 0x3EFA01A01A01A01A)
-  %.257.i.i38.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.256.i.i37.i, double 0xBF56C16C16C16C17)
-  %.258.i.i.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.257.i.i38.i, double 0x3FA5555555555555)
-  %.259.i.i39.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.258.i.i.i, double -5.000000e-01)
-  %.260.i.i40.i = tail call contract double @llvm.fma.f64(double %.244.i.i26.i, double %.259.i.i39.i, double 1.000000e+00)
-  %.261.i.i.i = bitcast double %.212.i.i.i to i64
-  %.262.i.i41.i = bitcast double %.252.i.i34.i to i64
-  %.263.i.i42.i = bitcast double %.260.i.i40.i to i64
-  %.264.i.i.i = xor i64 %.263.i.i42.i, %.262.i.i41.i
-  %.265.i.i43.i = and i64 %.261.i.i.i, 1
-  %120 = icmp eq i64 %.265.i.i43.i, 0
-  %.267.i.i.i = select i1 %120, i64 0, i64 %.264.i.i.i
-  %.268.i.i.i = shl i64 %.261.i.i.i, 62
-  %.269.i.i.i = and i64 %.268.i.i.i, -9223372036854775808
-  %.271.i.i.i = add i64 %.268.i.i.i, 4611686018427387904
-  %.272.i.i.i = and i64 %.271.i.i.i, -9223372036854775808
-  %121 = xor i64 %.269.i.i.i, %.262.i.i41.i
-  %.274.i.i.i = xor i64 %121, %.267.i.i.i
-  %122 = xor i64 %.272.i.i.i, %.263.i.i42.i
-  %.277.i.i.i = xor i64 %122, %.267.i.i.i
+  %.243.i.i.i = tail call contract double @llvm.fma.f64(double %.213.i.i.i, double 0xBC91A62633145C07, double %.228.i.i.i)
+  %.244.i.i.i = fmul contract double %.243.i.i.i, %.243.i.i.i
+  %.245.i.i.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.246.i.i30.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.245.i.i.i, double 0xBE5AE64567F544E4)
+  %.247.i.i31.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.246.i.i30.i, double 0x3EC71DE3A556C734)
+  %.248.i.i32.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.247.i.i31.i, double 0xBF2A01A01A01A01A)
+  %.249.i.i33.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.248.i.i32.i, double 0x3F81111111111111)
+  %.250.i.i34.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.249.i.i33.i, double 0xBFC5555555555555)
+  %.251.i.i35.i = fmul contract double %.243.i.i.i, %.244.i.i.i
+  %.252.i.i36.i = tail call contract double @llvm.fma.f64(double %.251.i.i35.i, double %.250.i.i34.i, double %.243.i.i.i)
+  %.253.i.i37.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.254.i.i38.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.253.i.i37.i, double 0x3E21EED8EFF8D898)
+  %.255.i.i39.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.254.i.i38.i, double 0xBE927E4FB7789F5C)
+  %.256.i.i40.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.255.i.i39.i, double 0x3EFA01A01A01A01A)
+  %.257.i.i41.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.256.i.i40.i, double 0xBF56C16C16C16C17)
+  %.258.i.i42.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.257.i.i41.i, double 0x3FA5555555555555)
+  %.259.i.i43.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.258.i.i42.i, double -5.000000e-01)
+  %.260.i.i44.i = tail call contract double @llvm.fma.f64(double %.244.i.i.i, double %.259.i.i43.i, double 1.000000e+00)
+  %.261.i.i45.i = bitcast double %.212.i.i.i to i64
+  %.262.i.i46.i = bitcast double %.252.i.i36.i to i64
+  %.263.i.i47.i = bitcast double %.260.i.i44.i to i64
+  %.264.i.i48.i = xor i64 %.263.i.i47.i, %.262.i.i46.i
+  %.265.i.i49.i = and i64 %.261.i.i45.i, 1
+  %120 = icmp eq i64 %.265.i.i49.i, 0
+  %.267.i.i50.i = select i1 %120, i64 0, i64 %.264.i.i48.i
+  %.268.i.i51.i = shl i64 %.261.i.i45.i, 62
+  %.269.i.i.i = and i64 %.268.i.i51.i, -9223372036854775808
+  %.271.i.i52.i = add i64 %.268.i.i51.i, 4611686018427387904
+  %.272.i.i53.i = and i64 %.271.i.i52.i, -9223372036854775808
+  %121 = xor i64 %.269.i.i.i, %.262.i.i46.i
+  %.274.i.i54.i = xor i64 %121, %.267.i.i50.i
+  %122 = xor i64 %.272.i.i53.i, %.263.i.i47.i
+  %.277.i.i55.i = xor i64 %122, %.267.i.i50.i
   %scevgep14.i.i = getelementptr i8, ptr %.2620.i.i, i64 %119
-  store i64 %.274.i.i.i, ptr %scevgep14.i.i, align 8, !noalias !22
+  store i64 %.274.i.i54.i, ptr %scevgep14.i.i, align 8, !noalias !22
   %scevgep13.i.i = getelementptr i8, ptr %scevgep14.i.i, i64 -4096
-  store i64 %.277.i.i.i, ptr %scevgep13.i.i, align 8, !noalias !22
+  store i64 %.277.i.i55.i, ptr %scevgep13.i.i, align 8, !noalias !22
   %exitcond.not.i.i.i = icmp eq i64 %.13.i.i, %.154.i.i.i
   br i1 %exitcond.not.i.i.i, label %.2478.endif.endif.endif.endif.i.i, label %B56.if.i.i.i
 
@@ -1213,14 +1225,14 @@ B56.if.i.i.i:                                     ; preds = %B56.if.i.i.i, %B56.
   br i1 %.786.i.i, label %B622.i.i, label %B980.i.i
 
 B1010.if.i.i:                                     ; preds = %B1012.endif.endif.endif.endif.endif.endif.i.i, %B1010.if.preheader.i.i
-  %lsr.iv.i12.i = phi i64 [ %.213211001120.i, %B1010.if.preheader.i.i ], [ %lsr.iv.next.i22.i, %B1012.endif.endif.endif.endif.endif.endif.i.i ]
+  %lsr.iv.i16.i = phi i64 [ %.213211001120.i, %B1010.if.preheader.i.i ], [ %lsr.iv.next.i26.i, %B1012.endif.endif.endif.endif.endif.endif.i.i ]
   %.297313831390.i.i = phi i64 [ 0, %B1010.if.preheader.i.i ], [ %.2980.i.i, %B1012.endif.endif.endif.endif.endif.endif.i.i ]
   %.2980.i.i = add nuw nsw i64 %.297313831390.i.i, 1
   %123 = getelementptr double, ptr %112, i64 %.297313831390.i.i
   %.3570.i.i = load double, ptr %123, align 8, !noalias !19
-  br i1 %111, label %B1012.endif.endif.endif.endif.endif.endif.i.i, label %B34.if.preheader.i.i13.i
+  br i1 %111, label %B1012.endif.endif.endif.endif.endif.endif.i.i, label %B34.if.preheader.i.i17.i
 
-B34.if.preheader.i.i13.i:                         ; preds = %B1010.if.i.i
+B34.if.preheader.i.i17.i:                         ; preds = %B1010.if.i.i
   %124 = getelementptr i64, ptr %113, i64 %.297313831390.i.i
   %.3036.i.i = load i64, ptr %124, align 8, !noalias !19
   %.3538.i.i = mul nsw i64 %.297313831390.i.i, %.137.i.i
@@ -1229,40 +1241,40 @@ B34.if.preheader.i.i13.i:                         ; preds = %B1010.if.i.i
   %126 = getelementptr i8, ptr %114, i64 %125
   %scevgep2.i140.i.i = getelementptr i8, ptr %126, i64 8
   %127 = mul i64 %.3036.i.i, 24576
-  %scevgep1.i.i = getelementptr i8, ptr %scevgep.i11.i, i64 %127
-  br label %B34.if.i.i14.i
+  %scevgep1.i.i = getelementptr i8, ptr %scevgep.i15.i, i64 %127
+  br label %B34.if.i.i18.i
 
-B34.if.i.i14.i:                                   ; preds = %B34.if.i.i14.i, %B34.if.preheader.i.i13.i
-  %lsr.iv.i.i15.i = phi ptr [ %scevgep2.i140.i.i, %B34.if.preheader.i.i13.i ], [ %scevgep3.i.i.i, %B34.if.i.i14.i ]
-  %.143136138.i.i.i = phi i64 [ 0, %B34.if.preheader.i.i13.i ], [ %.150.i.i.i, %B34.if.i.i14.i ]
+B34.if.i.i18.i:                                   ; preds = %B34.if.i.i18.i, %B34.if.preheader.i.i17.i
+  %lsr.iv.i.i19.i = phi ptr [ %scevgep2.i140.i.i, %B34.if.preheader.i.i17.i ], [ %scevgep3.i.i.i, %B34.if.i.i18.i ]
+  %.143136138.i.i.i = phi i64 [ 0, %B34.if.preheader.i.i17.i ], [ %.150.i.i.i, %B34.if.i.i18.i ]
   %.150.i.i.i = add nuw nsw i64 %.143136138.i.i.i, 1
-  %128 = add i64 %.143136138.i.i.i, %lsr.iv.i12.i
+  %128 = add i64 %.143136138.i.i.i, %lsr.iv.i16.i
   %.191.i.i.i = icmp slt i64 %128, 0
   %129 = select i1 %.191.i.i.i, i64 %108, i64 0
-  %scevgep4.i.i16.i = getelementptr i8, ptr %lsr.iv.i.i15.i, i64 %129
-  %scevgep5.i.i17.i = getelementptr i8, ptr %scevgep4.i.i16.i, i64 -8
-  %.207.i.i.i = load double, ptr %scevgep5.i.i17.i, align 8, !noalias !25
-  %.241.i.i18.i = load double, ptr %scevgep4.i.i16.i, align 8, !noalias !25
-  %sunkaddr.i19.i = shl i64 %.143136138.i.i.i, 3
-  %scevgep3.i.i = getelementptr i8, ptr %scevgep1.i.i, i64 %sunkaddr.i19.i
+  %scevgep4.i.i20.i = getelementptr i8, ptr %lsr.iv.i.i19.i, i64 %129
+  %scevgep5.i.i21.i = getelementptr i8, ptr %scevgep4.i.i20.i, i64 -8
+  %.207.i.i.i = load double, ptr %scevgep5.i.i21.i, align 8, !noalias !25
+  %.241.i.i.i = load double, ptr %scevgep4.i.i20.i, align 8, !noalias !25
+  %sunkaddr.i22.i = shl i64 %.143136138.i.i.i, 3
+  %scevgep3.i.i = getelementptr i8, ptr %scevgep1.i.i, i64 %sunkaddr.i22.i
   %scevgep6.i.i = getelementptr i8, ptr %scevgep3.i.i, i64 -4096
   %.271.i142.i.i = load double, ptr %scevgep6.i.i, align 8, !noalias !25
   %.273.i.i.i = fmul contract double %.3570.i.i, %.207.i.i.i
-  %.275.i.i.i = fmul contract double %.241.i.i18.i, 0.000000e+00
-  %.276.i.i.i = fsub contract double %.273.i.i.i, %.275.i.i.i
+  %.275.i.i23.i = fmul contract double %.241.i.i.i, 0.000000e+00
+  %.276.i.i.i = fsub contract double %.273.i.i.i, %.275.i.i23.i
   %.277.i143.i.i = fadd contract double %.271.i142.i.i, %.276.i.i.i
   store double %.277.i143.i.i, ptr %scevgep6.i.i, align 8, !noalias !25
   %.337.i.i.i = load double, ptr %scevgep3.i.i, align 8, !noalias !25
-  %.339.i.i.i = fmul contract double %.3570.i.i, %.241.i.i18.i
+  %.339.i.i.i = fmul contract double %.3570.i.i, %.241.i.i.i
   %.341.i.i.i = fmul contract double %.207.i.i.i, 0.000000e+00
   %.342.i.i.i = fadd contract double %.341.i.i.i, %.339.i.i.i
   %.343.i.i.i = fadd contract double %.342.i.i.i, %.337.i.i.i
   store double %.343.i.i.i, ptr %scevgep3.i.i, align 8, !noalias !25
-  %scevgep3.i.i.i = getelementptr i8, ptr %lsr.iv.i.i15.i, i64 16
+  %scevgep3.i.i.i = getelementptr i8, ptr %lsr.iv.i.i19.i, i64 16
   %exitcond.not.i145.i.i = icmp eq i64 %.13.i.i.i, %.150.i.i.i
-  br i1 %exitcond.not.i145.i.i, label %B1012.endif.endif.endif.endif.endif.i.i, label %B34.if.i.i14.i
+  br i1 %exitcond.not.i145.i.i, label %B1012.endif.endif.endif.endif.endif.i.i, label %B34.if.i.i18.i
 
-B1012.endif.endif.endif.endif.endif.i.i:          ; preds = %B34.if.i.i14.i
+B1012.endif.endif.endif.endif.endif.i.i:          ; preds = %B34.if.i.i18.i
   %.idx.i.i = shl i64 %.297313831390.i.i, 4
   %130 = getelementptr i8, ptr %115, i64 %.idx.i.i
   %.3644.i.i = load double, ptr %130, align 8, !noalias !19
@@ -1275,22 +1287,22 @@ B34.if.i149.i.i:                                  ; preds = %B34.if.i149.i.i, %B
   %lsr.iv.i150.i.i = phi ptr [ %scevgep2.i140.i.i, %B1012.endif.endif.endif.endif.endif.i.i ], [ %scevgep3.i170.i.i, %B34.if.i149.i.i ]
   %.143136138.i151.i.i = phi i64 [ 0, %B1012.endif.endif.endif.endif.endif.i.i ], [ %.150.i152.i.i, %B34.if.i149.i.i ]
   %.150.i152.i.i = add nuw nsw i64 %.143136138.i151.i.i, 1
-  %132 = add i64 %.143136138.i151.i.i, %lsr.iv.i12.i
+  %132 = add i64 %.143136138.i151.i.i, %lsr.iv.i16.i
   %.191.i153.i.i = icmp slt i64 %132, 0
   %133 = select i1 %.191.i153.i.i, i64 %108, i64 0
   %scevgep4.i154.i.i = getelementptr i8, ptr %lsr.iv.i150.i.i, i64 %133
   %scevgep5.i155.i.i = getelementptr i8, ptr %scevgep4.i154.i.i, i64 -8
   %.207.i156.i.i = load double, ptr %scevgep5.i155.i.i, align 8, !noalias !28
   %.241.i157.i.i = load double, ptr %scevgep4.i154.i.i, align 8, !noalias !28
-  %sunkaddr10.i20.i = shl i64 %.143136138.i151.i.i, 3
-  %scevgep10.i.i = getelementptr i8, ptr %scevgep8.i.i, i64 %sunkaddr10.i20.i
-  %scevgep11.i21.i = getelementptr i8, ptr %scevgep10.i.i, i64 -4096
-  %.271.i159.i.i = load double, ptr %scevgep11.i21.i, align 8, !noalias !28
+  %sunkaddr10.i24.i = shl i64 %.143136138.i151.i.i, 3
+  %scevgep10.i.i = getelementptr i8, ptr %scevgep8.i.i, i64 %sunkaddr10.i24.i
+  %scevgep11.i25.i = getelementptr i8, ptr %scevgep10.i.i, i64 -4096
+  %.271.i159.i.i = load double, ptr %scevgep11.i25.i, align 8, !noalias !28
   %.273.i160.i.i = fmul contract double %.3644.i.i, %.207.i156.i.i
   %.275.i161.i.i = fmul contract double %.3676.i.i, %.241.i157.i.i
   %.276.i162.i.i = fsub contract double %.273.i160.i.i, %.275.i161.i.i
   %.277.i163.i.i = fadd contract double %.271.i159.i.i, %.276.i162.i.i
-  store double %.277.i163.i.i, ptr %scevgep11.i21.i, align 8, !noalias !28
+  store double %.277.i163.i.i, ptr %scevgep11.i25.i, align 8, !noalias !28
   %.337.i165.i.i = load double, ptr %scevgep10.i.i, align 8, !noalias !28
   %.339.i166.i.i = fmul contract double %.3644.i.i, %.241.i157.i.i
   %.341.i167.i.i = fmul contract double %.3676.i.i, %.207.i156.i.i
@@ -1302,9 +1314,9 @@ B34.if.i149.i.i:                                  ; preds = %B34.if.i149.i.i, %B
   br i1 %exitcond.not.i171.i.i, label %B1012.endif.endif.endif.endif.endif.endif.i.i, label %B34.if.i149.i.i
 
 B1012.endif.endif.endif.endif.endif.endif.i.i:    ; preds = %B34.if.i149.i.i, %B1010.if.i.i
-  %lsr.iv.next.i22.i = add i64 %lsr.iv.i12.i, %.137.i.i
-  %exitcond.not.i23.i = icmp eq i64 %.2980.i.i, %.79.i8.i
-  br i1 %exitcond.not.i23.i, label %_ZN17bnserve_inference13moving_kernel7_source9_polariseB3v58B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1010.if.i.i
+  %lsr.iv.next.i26.i = add i64 %lsr.iv.i16.i, %.137.i.i
+  %exitcond.not.i27.i = icmp eq i64 %.2980.i.i, %.79.i12.i
+  br i1 %exitcond.not.i27.i, label %_ZN17bnserve_inference13moving_kernel7_source9_polariseB3v58B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1010.if.i.i
 
 _ZN17bnserve_inference13moving_kernel7_source9_polariseB3v58B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1012.endif.endif.endif.endif.endif.endif.i.i, %B980.i.i
   br i1 %107, label %B1120.loopexit.i, label %B1242.if.preheader.i
@@ -1347,12 +1359,12 @@ B546.i.i:                                         ; preds = %B226.if.i.i
 B722.i.i:                                         ; preds = %B226.if.i.i
   %.156.i.i.i = load double, ptr %sunkaddr35.i.i, align 8, !noalias !34
   %.186.i.i.i = load double, ptr %sunkaddr36.i.i, align 8, !noalias !34
-  %.216.i.i72.i = load double, ptr %sunkaddr.i68.i, align 8, !noalias !34
-  %.255.i.i73.i = load double, ptr %sunkaddr37.i.i, align 8, !noalias !34
+  %.216.i.i83.i = load double, ptr %sunkaddr.i79.i, align 8, !noalias !34
+  %.255.i.i84.i = load double, ptr %sunkaddr37.i.i, align 8, !noalias !34
   %.285.i.i.i = load double, ptr %sunkaddr38.i.i, align 8, !noalias !34
   %.320.i.i.i = load double, ptr %sunkaddr39.i.i, align 8, !noalias !34
-  %.350.i.i74.i = load double, ptr %sunkaddr40.i.i, align 8, !noalias !34
-  %.380.i.i75.i = load double, ptr %sunkaddr41.i.i, align 8, !noalias !34
+  %.350.i.i.i = load double, ptr %sunkaddr40.i.i, align 8, !noalias !34
+  %.380.i.i85.i = load double, ptr %sunkaddr41.i.i, align 8, !noalias !34
   %.419.i.i.i = load double, ptr %sunkaddr42.i.i, align 8, !noalias !34
   %.449.i.i.i = load double, ptr %sunkaddr43.i.i, align 8, !noalias !34
   br i1 %135, label %B768.endif.i.i, label %B464.if.i.i.i
@@ -1364,48 +1376,48 @@ B464.if.i.i.i:                                    ; preds = %B722.i.i, %B464.if.
   %scevgep458.i.i = getelementptr i8, ptr %lsr.iv447.i.i, i64 %141
   %scevgep459.i.i = getelementptr i8, ptr %scevgep458.i.i, i64 -4096
   %.618.i.i.i = load double, ptr %scevgep459.i.i, align 8, !noalias !34
-  %.648.i.i.i = load double, ptr %scevgep458.i.i, align 8, !noalias !34
-  %.649.i.i.i = fmul contract double %.618.i.i.i, %.618.i.i.i
-  %.650.i.i.i = fmul contract double %.648.i.i.i, %.648.i.i.i
-  %.651.i.i.i = fsub contract double %.649.i.i.i, %.650.i.i.i
-  %.652.i.i.i = fmul contract double %.618.i.i.i, 2.000000e+00
-  %.653.i.i.i = fmul contract double %.652.i.i.i, %.648.i.i.i
-  %.655.i.i.i = fmul contract double %.186.i.i.i, %.618.i.i.i
-  %.657.i.i.i = fadd contract double %.156.i.i.i, %.655.i.i.i
-  %.659.i.i.i = fmul contract double %.216.i.i72.i, %.648.i.i.i
-  %.660.i.i.i = fadd contract double %.657.i.i.i, %.659.i.i.i
-  %.662.i.i.i = fmul contract double %.255.i.i73.i, %.651.i.i.i
-  %.663.i.i.i = fadd contract double %.660.i.i.i, %.662.i.i.i
-  %.665.i.i.i = fmul contract double %.285.i.i.i, %.653.i.i.i
-  %.666.i.i.i = fadd contract double %.665.i.i.i, %.663.i.i.i
-  %.668.i.i.i = fmul contract double %.350.i.i74.i, %.618.i.i.i
-  %.670.i.i.i = fadd contract double %.320.i.i.i, %.668.i.i.i
-  %.672.i.i.i = fmul contract double %.380.i.i75.i, %.648.i.i.i
-  %.673.i.i.i = fadd contract double %.670.i.i.i, %.672.i.i.i
-  %.675.i.i.i = fmul contract double %.419.i.i.i, %.651.i.i.i
-  %.676.i.i.i = fadd contract double %.673.i.i.i, %.675.i.i.i
-  %.678.i.i.i = fmul contract double %.449.i.i.i, %.653.i.i.i
-  %.679.i.i.i = fadd contract double %.678.i.i.i, %.676.i.i.i
+  %.648.i.i86.i = load double, ptr %scevgep458.i.i, align 8, !noalias !34
+  %.649.i.i87.i = fmul contract double %.618.i.i.i, %.618.i.i.i
+  %.650.i.i88.i = fmul contract double %.648.i.i86.i, %.648.i.i86.i
+  %.651.i.i89.i = fsub contract double %.649.i.i87.i, %.650.i.i88.i
+  %.652.i.i90.i = fmul contract double %.618.i.i.i, 2.000000e+00
+  %.653.i.i91.i = fmul contract double %.652.i.i90.i, %.648.i.i86.i
+  %.655.i.i92.i = fmul contract double %.186.i.i.i, %.618.i.i.i
+  %.657.i.i93.i = fadd contract double %.156.i.i.i, %.655.i.i92.i
+  %.659.i.i94.i = fmul contract double %.216.i.i83.i, %.648.i.i86.i
+  %.660.i.i95.i = fadd contract double %.657.i.i93.i, %.659.i.i94.i
+  %.662.i.i96.i = fmul contract double %.255.i.i84.i, %.651.i.i89.i
+  %.663.i.i97.i = fadd contract double %.660.i.i95.i, %.662.i.i96.i
+  %.665.i.i98.i = fmul contract double %.285.i.i.i, %.653.i.i91.i
+  %.666.i.i99.i = fadd contract double %.665.i.i98.i, %.663.i.i97.i
+  %.668.i.i.i = fmul contract double %.350.i.i.i, %.618.i.i.i
+  %.670.i.i100.i = fadd contract double %.320.i.i.i, %.668.i.i.i
+  %.672.i.i101.i = fmul contract double %.380.i.i85.i, %.648.i.i86.i
+  %.673.i.i102.i = fadd contract double %.670.i.i100.i, %.672.i.i101.i
+  %.675.i.i103.i = fmul contract double %.419.i.i.i, %.651.i.i89.i
+  %.676.i.i104.i = fadd contract double %.673.i.i102.i, %.675.i.i103.i
+  %.678.i.i.i = fmul contract double %.449.i.i.i, %.653.i.i91.i
+  %.679.i.i.i = fadd contract double %.678.i.i.i, %.676.i.i104.i
   %scevgep32.i.i = getelementptr i8, ptr %scevgep458.i.i, i64 -20480
   %.709.i.i.i = load double, ptr %scevgep32.i.i, align 8, !noalias !34
-  %.710.i.i76.i = fmul contract double %.709.i.i.i, %.666.i.i.i
-  %scevgep30.i77.i = getelementptr i8, ptr %scevgep458.i.i, i64 -12288
-  %.740.i.i.i = load double, ptr %scevgep30.i77.i, align 8, !noalias !34
+  %.710.i.i.i = fmul contract double %.709.i.i.i, %.666.i.i99.i
+  %scevgep30.i105.i = getelementptr i8, ptr %scevgep458.i.i, i64 -12288
+  %.740.i.i.i = load double, ptr %scevgep30.i105.i, align 8, !noalias !34
   %.741.i.i.i = fmul contract double %.740.i.i.i, %.679.i.i.i
-  %.742.i.i.i = fadd contract double %.710.i.i76.i, %.741.i.i.i
+  %.742.i.i.i = fadd contract double %.710.i.i.i, %.741.i.i.i
   %scevgep23.i.i = getelementptr i8, ptr %lsr.iv441.i.i, i64 %141
-  %scevgep24.i78.i = getelementptr i8, ptr %scevgep23.i.i, i64 -4096
-  store double %.742.i.i.i, ptr %scevgep24.i78.i, align 8, !noalias !34
-  %scevgep28.i79.i = getelementptr i8, ptr %scevgep458.i.i, i64 -16384
-  %.802.i.i.i = load double, ptr %scevgep28.i79.i, align 8, !noalias !34
-  %.803.i.i.i = fmul contract double %.802.i.i.i, %.666.i.i.i
-  %scevgep26.i80.i = getelementptr i8, ptr %scevgep458.i.i, i64 -8192
-  %.833.i.i.i = load double, ptr %scevgep26.i80.i, align 8, !noalias !34
+  %scevgep24.i106.i = getelementptr i8, ptr %scevgep23.i.i, i64 -4096
+  store double %.742.i.i.i, ptr %scevgep24.i106.i, align 8, !noalias !34
+  %scevgep28.i107.i = getelementptr i8, ptr %scevgep458.i.i, i64 -16384
+  %.802.i.i.i = load double, ptr %scevgep28.i107.i, align 8, !noalias !34
+  %.803.i.i.i = fmul contract double %.802.i.i.i, %.666.i.i99.i
+  %scevgep26.i108.i = getelementptr i8, ptr %scevgep458.i.i, i64 -8192
+  %.833.i.i.i = load double, ptr %scevgep26.i108.i, align 8, !noalias !34
   %.834.i.i.i = fmul contract double %.679.i.i.i, %.833.i.i.i
   %.835.i.i.i = fadd contract double %.803.i.i.i, %.834.i.i.i
   store double %.835.i.i.i, ptr %scevgep23.i.i, align 8, !noalias !34
-  %exitcond.not.i.i81.i = icmp eq i64 %.13.i.i, %.564.i.i.i
-  br i1 %exitcond.not.i.i81.i, label %B164.if.i.preheader.i.i, label %B464.if.i.i.i
+  %exitcond.not.i.i109.i = icmp eq i64 %.13.i.i, %.564.i.i.i
+  br i1 %exitcond.not.i.i109.i, label %B164.if.i.preheader.i.i, label %B464.if.i.i.i
 
 B164.if.i.preheader.i.i:                          ; preds = %B464.if.i.i.i, %.1723.endif.preheader.i.i
   %.116.i15.in.i.i = load double, ptr %sunkaddr44.i.i, align 8, !noalias !37
@@ -1415,24 +1427,24 @@ B164.if.i.preheader.i.i:                          ; preds = %B464.if.i.i.i, %.17
   br label %B164.if.i.i.i
 
 B164.if.i.i.i:                                    ; preds = %B164.if.i.i.i, %B164.if.i.preheader.i.i
-  %.255197199.i.i.i = phi i64 [ %.262.i.i82.i, %B164.if.i.i.i ], [ 0, %B164.if.i.preheader.i.i ]
-  %.262.i.i82.i = add nuw nsw i64 %.255197199.i.i.i, 1
+  %.255197199.i.i.i = phi i64 [ %.262.i.i110.i, %B164.if.i.i.i ], [ 0, %B164.if.i.preheader.i.i ]
+  %.262.i.i110.i = add nuw nsw i64 %.255197199.i.i.i, 1
   %142 = shl i64 %.255197199.i.i.i, 3
   %scevgep4.i81.i.i = getelementptr i8, ptr %.265.i.i, i64 %142
-  %.317.i.i83.i = load double, ptr %scevgep4.i81.i.i, align 8, !noalias !37
+  %.317.i.i.i = load double, ptr %scevgep4.i81.i.i, align 8, !noalias !37
   %scevgep464.i.i = getelementptr i8, ptr %lsr.iv447.i.i, i64 %142
   %scevgep465.i.i = getelementptr i8, ptr %scevgep464.i.i, i64 -4096
-  %.347.i.i.i = load double, ptr %scevgep465.i.i, align 8, !noalias !37
-  %.348.i.i84.i = fsub contract double 1.000000e+00, %.347.i.i.i
-  %.350.i83.i.i = fmul contract double %.116.i15.i.i, %.348.i.i84.i
+  %.347.i.i111.i = load double, ptr %scevgep465.i.i, align 8, !noalias !37
+  %.348.i.i112.i = fsub contract double 1.000000e+00, %.347.i.i111.i
+  %.350.i83.i.i = fmul contract double %.116.i15.i.i, %.348.i.i112.i
   %.380.i85.i.i = load double, ptr %scevgep464.i.i, align 8, !noalias !37
-  %.382.i.i85.i = fmul contract double %.150.i16.i.i, %.380.i85.i.i
-  %143 = fsub contract double %.350.i83.i.i, %.382.i.i85.i
-  %.384.i.i.i = fmul contract double %.317.i.i83.i, %143
-  %.385.i.i.i = tail call contract double @llvm.fma.f64(double %.384.i.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
-  %.386.i.i.i = fadd contract double %.385.i.i.i, 0xC338000000000000
-  %.401.i.i.i = tail call contract double @llvm.fma.f64(double %.386.i.i.i, double 0xBFF921FB54442D18, double %.384.i.i.i)
-  %.416.i.i.i = tail call contract double @llvm.fma.f64(double %.386.i.i.i, double 0xBC91A62633145C07, double %.401.i.i.i)
+  %.382.i.i113.i = fmul contract double %.150.i16.i.i, %.380.i85.i.i
+  %143 = fsub contract double %.350.i83.i.i, %.382.i.i113.i
+  %.384.i.i114.i = fmul contract double %.317.i.i.i, %143
+  %.385.i.i115.i = tail call contract double @llvm.fma.f64(double %.384.i.i114.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.386.i.i116.i = fadd contract double %.385.i.i115.i, 0xC338000000000000
+  %.401.i.i.i = tail call contract double @llvm.fma.f64(double %.386.i.i116.i, double 0xBFF921FB54442D18, double %.384.i.i114.i)
+  %.416.i.i.i = tail call contract double @llvm.fma.f64(double %.386.i.i116.i, double 0xBC91A62633145C07, double %.401.i.i.i)
   %.417.i.i.i = fmul contract double %.416.i.i.i, %.416.i.i.i
   %.418.i86.i.i = tail call contract double @llvm.fma.f64(double %.417.i.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
   %.419.i87.i.i = tail call contract double @llvm.fma.f64(double %.417.i.i.i, double %.418.i86.i.i, double 0xBE5AE64567F544E4)
@@ -1450,22 +1462,22 @@ B164.if.i.i.i:                                    ; preds = %B164.if.i.i.i, %B16
   %.431.i.i.i = tail call contract double @llvm.fma.f64(double %.417.i.i.i, double %.430.i.i.i, double 0x3FA5555555555555)
   %.432.i.i.i = tail call contract double @llvm.fma.f64(double %.417.i.i.i, double %.431.i.i.i, double -5.000000e-01)
   %.433.i.i.i = tail call contract double @llvm.fma.f64(double %.417.i.i.i, double %.432.i.i.i, double 1.000000e+00)
-  %.434.i.i.i = bitcast double %.385.i.i.i to i64
+  %.434.i.i.i = bitcast double %.385.i.i115.i to i64
   %.435.i.i.i = bitcast double %.425.i.i.i to i64
   %.436.i.i.i = bitcast double %.433.i.i.i to i64
   %.437.i.i.i = xor i64 %.436.i.i.i, %.435.i.i.i
-  %.438.i.i86.i = and i64 %.434.i.i.i, 1
-  %144 = icmp eq i64 %.438.i.i86.i, 0
-  %.440.i.i87.i = select i1 %144, i64 0, i64 %.437.i.i.i
+  %.438.i.i.i = and i64 %.434.i.i.i, 1
+  %144 = icmp eq i64 %.438.i.i.i, 0
+  %.440.i.i117.i = select i1 %144, i64 0, i64 %.437.i.i.i
   %.441.i.i.i = shl i64 %.434.i.i.i, 62
-  %.442.i.i88.i = and i64 %.441.i.i.i, -9223372036854775808
+  %.442.i.i118.i = and i64 %.441.i.i.i, -9223372036854775808
   %.444.i.i.i = add i64 %.441.i.i.i, 4611686018427387904
   %.445.i.i.i = and i64 %.444.i.i.i, -9223372036854775808
-  %145 = xor i64 %.442.i.i88.i, %.435.i.i.i
-  %.447.i.i.i = xor i64 %145, %.440.i.i87.i
+  %145 = xor i64 %.442.i.i118.i, %.435.i.i.i
+  %.447.i.i.i = xor i64 %145, %.440.i.i117.i
   %.448.i88.i.i = bitcast i64 %.447.i.i.i to double
   %146 = xor i64 %.445.i.i.i, %.436.i.i.i
-  %.450.i.i.i = xor i64 %146, %.440.i.i87.i
+  %.450.i.i.i = xor i64 %146, %.440.i.i117.i
   %.451.i.i.i = bitcast i64 %.450.i.i.i to double
   %scevgep33.i.i = getelementptr i8, ptr %lsr.iv441.i.i, i64 %142
   %scevgep34.i.i = getelementptr i8, ptr %scevgep33.i.i, i64 -4096
@@ -1479,7 +1491,7 @@ B164.if.i.i.i:                                    ; preds = %B164.if.i.i.i, %B16
   %.566.i.i.i = fmul contract double %.531.i.i.i, %.451.i.i.i
   %.567.i.i.i = fadd contract double %.565.i.i.i, %.566.i.i.i
   store double %.567.i.i.i, ptr %scevgep33.i.i, align 8, !noalias !37
-  %exitcond.not.i91.i.i = icmp eq i64 %.13.i.i, %.262.i.i82.i
+  %exitcond.not.i91.i.i = icmp eq i64 %.13.i.i, %.262.i.i110.i
   br i1 %exitcond.not.i91.i.i, label %B768.endif.i.i, label %B164.if.i.i.i
 
 B812.i.i:                                         ; preds = %B768.endif.i.i, %B1242.if.i
@@ -1510,7 +1522,7 @@ B226.if.lr.ph.i.i:                                ; preds = %B1242.if.i
   %sunkaddr46.i.i = getelementptr i8, ptr %lsr.iv.i, i64 160
   %sunkaddr35.i.i = getelementptr i8, ptr %lsr.iv.i, i64 8
   %sunkaddr36.i.i = getelementptr i8, ptr %lsr.iv.i, i64 16
-  %sunkaddr.i68.i = getelementptr i8, ptr %lsr.iv.i, i64 24
+  %sunkaddr.i79.i = getelementptr i8, ptr %lsr.iv.i, i64 24
   %sunkaddr37.i.i = getelementptr i8, ptr %lsr.iv.i, i64 32
   %sunkaddr38.i.i = getelementptr i8, ptr %lsr.iv.i, i64 40
   %sunkaddr39.i.i = getelementptr i8, ptr %lsr.iv.i, i64 48
@@ -1528,8 +1540,8 @@ B226.if.i.i:                                      ; preds = %B768.endif.i.i, %B2
   %.346.0.i.i = phi i64 [ 0, %B226.if.lr.ph.i.i ], [ %.415.i.i, %B768.endif.i.i ]
   %.415.i.i = add nuw nsw i64 %.346.0.i.i, 1
   %.459.idx.i.i = shl i64 %.346.0.i.i, 13
-  %.459.i69.i = getelementptr i8, ptr %.289.i, i64 %.459.idx.i.i
-  %.527.i.i = getelementptr i8, ptr %.459.i69.i, i64 4096
+  %.459.i80.i = getelementptr i8, ptr %.289.i, i64 %.459.idx.i.i
+  %.527.i.i = getelementptr i8, ptr %.459.i80.i, i64 4096
   %.686.i.i = mul nuw nsw i64 %.346.0.i.i, 3
   %.687.i.i = add nuw nsw i64 %.685.i.i, %.686.i.i
   %.706.idx.i.i = shl i64 %.687.i.i, 13
@@ -1537,26 +1549,26 @@ B226.if.i.i:                                      ; preds = %B768.endif.i.i, %B2
   %.774.i.i = getelementptr i8, ptr %.706.i.i, i64 4096
   %.954.i.i = getelementptr i8, ptr %.706.i.i, i64 8192
   %.1022.i.i = getelementptr i8, ptr %.706.i.i, i64 12288
-  %.1202.i70.i = getelementptr i8, ptr %.706.i.i, i64 16384
-  %.1270.i71.i = getelementptr i8, ptr %.706.i.i, i64 20480
+  %.1202.i81.i = getelementptr i8, ptr %.706.i.i, i64 16384
+  %.1270.i82.i = getelementptr i8, ptr %.706.i.i, i64 20480
   %.1455.i.i = load double, ptr %sunkaddr46.i.i, align 8, !noalias !31
   %.1456.i.i = fcmp contract ogt double %.1455.i.i, 0.000000e+00
   br i1 %.1456.i.i, label %B546.i.i, label %B722.i.i
 
 .1723.endif.preheader.i.i:                        ; preds = %B546.i.i
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.459.i69.i, i8 0, i64 %134, i1 false), !noalias !31
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.459.i80.i, i8 0, i64 %134, i1 false), !noalias !31
   tail call void @llvm.memset.p0.i64(ptr align 8 %.527.i.i, i8 0, i64 %134, i1 false), !noalias !31
   store ptr null, ptr %.2081.i.i, align 8, !noalias !31
-  call fastcc void @inner_0(ptr nonnull %.2081.i.i, ptr readonly %lsr.iv.i, i64 17, double 1.000000e+00, ptr %.265.i.i, ptr %.1202.i70.i, i64 range(i64 -9223372036854775808, 513) %.13.i.i, ptr %.1270.i71.i, ptr %.706.i.i, ptr %.774.i.i, ptr %.954.i.i, ptr %.1022.i.i, ptr %.459.i69.i, ptr %.527.i.i)
+  call fastcc void @inner_0(ptr nonnull %.2081.i.i, ptr readonly %lsr.iv.i, i64 17, double 1.000000e+00, ptr %.265.i.i, ptr %.1202.i81.i, i64 range(i64 -9223372036854775808, 513) %.13.i.i, ptr %.1270.i82.i, ptr %.706.i.i, ptr %.774.i.i, ptr %.954.i.i, ptr %.1022.i.i, ptr %.459.i80.i, ptr %.527.i.i)
   store ptr null, ptr %.2136.i.i, align 8, !noalias !31
-  call fastcc void @inner_0(ptr nonnull %.2136.i.i, ptr readonly %lsr.iv.i, i64 21, double -1.000000e+00, ptr %.265.i.i, ptr %.1202.i70.i, i64 range(i64 -9223372036854775808, 513) %.13.i.i, ptr %.1270.i71.i, ptr %.706.i.i, ptr %.774.i.i, ptr %.954.i.i, ptr %.1022.i.i, ptr %.459.i69.i, ptr %.527.i.i)
+  call fastcc void @inner_0(ptr nonnull %.2136.i.i, ptr readonly %lsr.iv.i, i64 21, double -1.000000e+00, ptr %.265.i.i, ptr %.1202.i81.i, i64 range(i64 -9223372036854775808, 513) %.13.i.i, ptr %.1270.i82.i, ptr %.706.i.i, ptr %.774.i.i, ptr %.954.i.i, ptr %.1022.i.i, ptr %.459.i80.i, ptr %.527.i.i)
   br label %B164.if.i.preheader.i.i
 
 B768.endif.critedge.i.i:                          ; preds = %B546.i.i
   store ptr null, ptr %.2081.i.i, align 8, !noalias !31
-  call fastcc void @inner_0(ptr nonnull %.2081.i.i, ptr readonly %lsr.iv.i, i64 17, double 1.000000e+00, ptr %.265.i.i, ptr %.1202.i70.i, i64 range(i64 -9223372036854775808, 513) %.13.i.i, ptr %.1270.i71.i, ptr %.706.i.i, ptr %.774.i.i, ptr %.954.i.i, ptr %.1022.i.i, ptr %.459.i69.i, ptr %.527.i.i)
+  call fastcc void @inner_0(ptr nonnull %.2081.i.i, ptr readonly %lsr.iv.i, i64 17, double 1.000000e+00, ptr %.265.i.i, ptr %.1202.i81.i, i64 range(i64 -9223372036854775808, 513) %.13.i.i, ptr %.1270.i82.i, ptr %.706.i.i, ptr %.774.i.i, ptr %.954.i.i, ptr %.1022.i.i, ptr %.459.i80.i, ptr %.527.i.i)
   store ptr null, ptr %.2136.i.i, align 8, !noalias !31
-  call fastcc void @inner_0(ptr nonnull %.2136.i.i, ptr readonly %lsr.iv.i, i64 21, double -1.000000e+00, ptr %.265.i.i, ptr %.1202.i70.i, i64 range(i64 -9223372036854775808, 513) %.13.i.i, ptr %.1270.i71.i, ptr %.706.i.i, ptr %.774.i.i, ptr %.954.i.i, ptr %.1022.i.i, ptr %.459.i69.i, ptr %.527.i.i)
+  call fastcc void @inner_0(ptr nonnull %.2136.i.i, ptr readonly %lsr.iv.i, i64 21, double -1.000000e+00, ptr %.265.i.i, ptr %.1202.i81.i, i64 range(i64 -9223372036854775808, 513) %.13.i.i, ptr %.1270.i82.i, ptr %.706.i.i, ptr %.774.i.i, ptr %.954.i.i, ptr %.1022.i.i, ptr %.459.i80.i, ptr %.527.i.i)
   br label %B768.endif.i.i
 
 B768.endif.i.i:                                   ; preds = %B164.if.i.i.i, %B768.endif.critedge.i.i, %B722.i.i
@@ -1584,19 +1596,19 @@ B128.if.i.i.i:                                    ; preds = %B284.i.i.i, %B128.i
   %.317279285.i.i.i = phi i64 [ 0, %B128.if.lr.ph.i.i.i ], [ %.324.i.i.i, %B284.i.i.i ]
   %.324.i.i.i = add nuw nsw i64 %.317279285.i.i.i, 1
   %.350.i158.i.i = mul nsw i64 %.317279285.i.i.i, %.161.i.i
-  %.352.i.i44.i = add nsw i64 %.350.i158.i.i, %.213211001120.i
-  %.395.i.i.i = icmp slt i64 %.352.i.i44.i, 0
-  %.396.i.i.i = select i1 %.395.i.i.i, i64 %.2462.i.i, i64 0
-  %.397.i.i.i = add i64 %.396.i.i.i, %.352.i.i44.i
-  %.400.i.i.i = icmp slt i64 %.397.i.i.i, 0
-  br i1 %.400.i.i.i, label %B130.else.if.i.i.i, label %B130.else.endif.i.i.i, !prof !18
+  %.352.i.i.i = add nsw i64 %.350.i158.i.i, %.213211001120.i
+  %.395.i.i56.i = icmp slt i64 %.352.i.i.i, 0
+  %.396.i.i57.i = select i1 %.395.i.i56.i, i64 %.2462.i.i, i64 0
+  %.397.i.i58.i = add i64 %.396.i.i57.i, %.352.i.i.i
+  %.400.i.i59.i = icmp slt i64 %.397.i.i58.i, 0
+  br i1 %.400.i.i59.i, label %B130.else.if.i.i.i, label %B130.else.endif.i.i.i, !prof !18
 
 B130.else.if.i.i.i:                               ; preds = %B128.if.i.i.i
   br label %B130.else.endif.i.i.i
 
 B130.else.endif.i.i.i:                            ; preds = %B130.else.if.i.i.i, %B128.if.i.i.i
-  %.385.sroa.0.1.i.i.i = phi i64 [ 0, %B130.else.if.i.i.i ], [ %.397.i.i.i, %B128.if.i.i.i ]
-  %.405.not.i.i.i = icmp slt i64 %.397.i.i.i, %.2462.i.i
+  %.385.sroa.0.1.i.i.i = phi i64 [ 0, %B130.else.if.i.i.i ], [ %.397.i.i58.i, %B128.if.i.i.i ]
+  %.405.not.i.i.i = icmp slt i64 %.397.i.i58.i, %.2462.i.i
   br i1 %.405.not.i.i.i, label %B130.else.endif.endif.endif.endif.i.i.i, label %B130.else.endif.if.i.i.i, !prof !43
 
 B130.else.endif.if.i.i.i:                         ; preds = %B130.else.endif.i.i.i
@@ -1633,13 +1645,13 @@ B228.if.i.i.i:                                    ; preds = %B228.if.i.i.i, %B22
   %.748.1.i.i.i = fmul contract double %.565.i159.i.i, %.746.1.i.i.i
   %.749.1.i.i.i = fadd contract double %.716.1.i.i.i, %.748.1.i.i.i
   store double %.749.1.i.i.i, ptr %scevgep22.i.i, align 8, !noalias !40
-  %scevgep20.i45.i = getelementptr i8, ptr %scevgep428.i.i, i64 -8
-  %.716.i.1.i.i = load double, ptr %scevgep20.i45.i, align 8, !noalias !40
+  %scevgep20.i60.i = getelementptr i8, ptr %scevgep428.i.i, i64 -8
+  %.716.i.1.i.i = load double, ptr %scevgep20.i60.i, align 8, !noalias !40
   %scevgep16.i.i = getelementptr i8, ptr %scevgep434.i.i, i64 -8
   %.746.i.1.i.i = load double, ptr %scevgep16.i.i, align 8, !noalias !40
   %.748.i.1.i.i = fmul contract double %.565.i159.i.i, %.746.i.1.i.i
   %.749.i.1.i.i = fadd contract double %.716.i.1.i.i, %.748.i.1.i.i
-  store double %.749.i.1.i.i, ptr %scevgep20.i45.i, align 8, !noalias !40
+  store double %.749.i.1.i.i, ptr %scevgep20.i60.i, align 8, !noalias !40
   %.662.1.i.1.i.i = add i64 %.655272274.i.i.i, 4
   %.716.1.i.1.i.i = load double, ptr %scevgep428.i.i, align 8, !noalias !40
   %.746.1.i.1.i.i = load double, ptr %scevgep434.i.i, align 8, !noalias !40
@@ -1710,24 +1722,24 @@ B228.if.i192.i.i:                                 ; preds = %B228.if.i192.i.i, %
   %.716.i195.i.i = load double, ptr %scevgep412.i.i, align 8, !noalias !44
   %scevgep417.i.i = getelementptr i8, ptr %scevgep414.i.i, i64 %157
   %scevgep418.i.i = getelementptr i8, ptr %scevgep417.i.i, i64 -16
-  %scevgep8.i46.i = getelementptr i8, ptr %scevgep417.i.i, i64 -24
-  %.746.i198.i.i = load double, ptr %scevgep8.i46.i, align 8, !noalias !44
+  %scevgep8.i61.i = getelementptr i8, ptr %scevgep417.i.i, i64 -24
+  %.746.i198.i.i = load double, ptr %scevgep8.i61.i, align 8, !noalias !44
   %.748.i199.i.i = fmul contract double %.565.i188.i.i, %.746.i198.i.i
   %.749.i200.i.i = fadd contract double %.716.i195.i.i, %.748.i199.i.i
   store double %.749.i200.i.i, ptr %scevgep412.i.i, align 8, !noalias !44
-  %scevgep12.i47.i = getelementptr i8, ptr %scevgep411.i.i, i64 -16
-  %.716.1.i203.i.i = load double, ptr %scevgep12.i47.i, align 8, !noalias !44
+  %scevgep12.i62.i = getelementptr i8, ptr %scevgep411.i.i, i64 -16
+  %.716.1.i203.i.i = load double, ptr %scevgep12.i62.i, align 8, !noalias !44
   %.746.1.i204.i.i = load double, ptr %scevgep418.i.i, align 8, !noalias !44
   %.748.1.i205.i.i = fmul contract double %.565.i188.i.i, %.746.1.i204.i.i
   %.749.1.i206.i.i = fadd contract double %.716.1.i203.i.i, %.748.1.i205.i.i
-  store double %.749.1.i206.i.i, ptr %scevgep12.i47.i, align 8, !noalias !44
-  %scevgep10.i48.i = getelementptr i8, ptr %scevgep411.i.i, i64 -8
-  %.716.i195.1.i.i = load double, ptr %scevgep10.i48.i, align 8, !noalias !44
-  %scevgep6.i49.i = getelementptr i8, ptr %scevgep417.i.i, i64 -8
-  %.746.i198.1.i.i = load double, ptr %scevgep6.i49.i, align 8, !noalias !44
+  store double %.749.1.i206.i.i, ptr %scevgep12.i62.i, align 8, !noalias !44
+  %scevgep10.i63.i = getelementptr i8, ptr %scevgep411.i.i, i64 -8
+  %.716.i195.1.i.i = load double, ptr %scevgep10.i63.i, align 8, !noalias !44
+  %scevgep6.i64.i = getelementptr i8, ptr %scevgep417.i.i, i64 -8
+  %.746.i198.1.i.i = load double, ptr %scevgep6.i64.i, align 8, !noalias !44
   %.748.i199.1.i.i = fmul contract double %.565.i188.i.i, %.746.i198.1.i.i
   %.749.i200.1.i.i = fadd contract double %.716.i195.1.i.i, %.748.i199.1.i.i
-  store double %.749.i200.1.i.i, ptr %scevgep10.i48.i, align 8, !noalias !44
+  store double %.749.i200.1.i.i, ptr %scevgep10.i63.i, align 8, !noalias !44
   %.662.1.i201.1.i.i = add i64 %.655272274.i193.i.i, 4
   %.716.1.i203.1.i.i = load double, ptr %scevgep411.i.i, align 8, !noalias !44
   %.746.1.i204.1.i.i = load double, ptr %scevgep417.i.i, align 8, !noalias !44
@@ -1743,59 +1755,59 @@ B860.endif.endif.endif.endif.endif.endif.endif.i.i: ; preds = %B284.i215.i.i
   br i1 %.30861548.not.i.i, label %_ZN17bnserve_inference13moving_kernel7_source8_respondB3v89B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1270.if.i.i
 
 B1270.if.i.i:                                     ; preds = %B860.endif.endif.endif.endif.endif.endif.endif.i.i, %B1272.endif.endif.endif.i.i
-  %lsr.iv.i51.i = phi ptr [ %scevgep400.i.i, %B1272.endif.endif.endif.i.i ], [ %scevgep440.i.i, %B860.endif.endif.endif.endif.endif.endif.endif.i.i ]
+  %lsr.iv.i66.i = phi ptr [ %scevgep400.i.i, %B1272.endif.endif.endif.i.i ], [ %scevgep440.i.i, %B860.endif.endif.endif.endif.endif.endif.endif.i.i ]
   %.309215451549.i.i = phi i64 [ %.3099.i.i, %B1272.endif.endif.endif.i.i ], [ 0, %B860.endif.endif.endif.endif.endif.endif.endif.i.i ]
   %.3099.i.i = add nuw nsw i64 %.309215451549.i.i, 1
-  br i1 %135, label %B1272.endif.endif.endif.i.i, label %B56.if.i.i52.i
+  br i1 %135, label %B1272.endif.endif.endif.i.i, label %B56.if.i.i67.i
 
-B56.if.i.i52.i:                                   ; preds = %B1270.if.i.i, %B56.if.i.i52.i
-  %.158152154.i.i.i = phi i64 [ %.165.i.i53.i, %B56.if.i.i52.i ], [ 0, %B1270.if.i.i ]
-  %.165.i.i53.i = add nuw nsw i64 %.158152154.i.i.i, 1
+B56.if.i.i67.i:                                   ; preds = %B1270.if.i.i, %B56.if.i.i67.i
+  %.158152154.i.i.i = phi i64 [ %.165.i.i.i, %B56.if.i.i67.i ], [ 0, %B1270.if.i.i ]
+  %.165.i.i.i = add nuw nsw i64 %.158152154.i.i.i, 1
   %158 = shl i64 %.158152154.i.i.i, 3
   %scevgep3.i230.i.i = getelementptr i8, ptr %.2599.i.i, i64 %158
   %.219.i.i.i = load double, ptr %scevgep3.i230.i.i, align 8, !noalias !47
   %scevgep404.i.i = getelementptr i8, ptr %scevgep3.i230.i.i, i64 -4096
-  %.249.i.i54.i = load double, ptr %scevgep404.i.i, align 8, !noalias !47
-  %.250.i.i55.i = fadd contract double %.249.i.i54.i, 1.000000e+00
-  %.251.i.i56.i = fmul contract double %.219.i.i.i, %.219.i.i.i
-  %.252.i.i57.i = fadd contract double %.251.i.i56.i, 4.000000e+00
-  %.256.i.i58.i = fdiv contract double %.250.i.i55.i, %.252.i.i57.i
-  %.258.i.i59.i = fsub contract double 4.000000e+00, %.251.i.i56.i
-  %.259.i.i60.i = fmul contract double %.258.i.i59.i, %.256.i.i58.i
-  %.260.i.i61.i = fmul contract double %.219.i.i.i, 4.000000e+00
-  %.261.i.i62.i = fmul contract double %.260.i.i61.i, %.256.i.i58.i
-  %scevgep1.i63.i = getelementptr i8, ptr %lsr.iv.i51.i, i64 %158
-  %scevgep2.i.i = getelementptr i8, ptr %scevgep1.i63.i, i64 -4096
+  %.249.i.i68.i = load double, ptr %scevgep404.i.i, align 8, !noalias !47
+  %.250.i.i69.i = fadd contract double %.249.i.i68.i, 1.000000e+00
+  %.251.i.i70.i = fmul contract double %.219.i.i.i, %.219.i.i.i
+  %.252.i.i71.i = fadd contract double %.251.i.i70.i, 4.000000e+00
+  %.256.i.i72.i = fdiv contract double %.250.i.i69.i, %.252.i.i71.i
+  %.258.i.i73.i = fsub contract double 4.000000e+00, %.251.i.i70.i
+  %.259.i.i74.i = fmul contract double %.258.i.i73.i, %.256.i.i72.i
+  %.260.i.i75.i = fmul contract double %.219.i.i.i, 4.000000e+00
+  %.261.i.i76.i = fmul contract double %.260.i.i75.i, %.256.i.i72.i
+  %scevgep1.i77.i = getelementptr i8, ptr %lsr.iv.i66.i, i64 %158
+  %scevgep2.i.i = getelementptr i8, ptr %scevgep1.i77.i, i64 -4096
   %.291.i.i.i = load double, ptr %scevgep2.i.i, align 8, !noalias !47
-  %.321.i.i.i = load double, ptr %scevgep1.i63.i, align 8, !noalias !47
-  %.322.i.i.i = fmul contract double %.291.i.i.i, %.259.i.i60.i
-  %.323.i.i.i = fmul contract double %.321.i.i.i, %.261.i.i62.i
+  %.321.i.i.i = load double, ptr %scevgep1.i77.i, align 8, !noalias !47
+  %.322.i.i.i = fmul contract double %.291.i.i.i, %.259.i.i74.i
+  %.323.i.i.i = fmul contract double %.321.i.i.i, %.261.i.i76.i
   %.324.i234.i.i = fsub contract double %.322.i.i.i, %.323.i.i.i
   store double %.324.i234.i.i, ptr %scevgep2.i.i, align 8, !noalias !47
-  %.355.i.i64.i = fmul contract double %.291.i.i.i, %.261.i.i62.i
-  %.356.i.i65.i = fmul contract double %.321.i.i.i, %.259.i.i60.i
-  %.357.i.i66.i = fadd contract double %.355.i.i64.i, %.356.i.i65.i
-  store double %.357.i.i66.i, ptr %scevgep1.i63.i, align 8, !noalias !47
-  %exitcond.not.i235.i.i = icmp eq i64 %.13.i.i, %.165.i.i53.i
-  br i1 %exitcond.not.i235.i.i, label %B1272.endif.endif.endif.i.i, label %B56.if.i.i52.i
+  %.355.i.i.i = fmul contract double %.291.i.i.i, %.261.i.i76.i
+  %.356.i.i.i = fmul contract double %.321.i.i.i, %.259.i.i74.i
+  %.357.i.i.i = fadd contract double %.355.i.i.i, %.356.i.i.i
+  store double %.357.i.i.i, ptr %scevgep1.i77.i, align 8, !noalias !47
+  %exitcond.not.i235.i.i = icmp eq i64 %.13.i.i, %.165.i.i.i
+  br i1 %exitcond.not.i235.i.i, label %B1272.endif.endif.endif.i.i, label %B56.if.i.i67.i
 
-B1272.endif.endif.endif.i.i:                      ; preds = %B56.if.i.i52.i, %B1270.if.i.i
-  %scevgep400.i.i = getelementptr i8, ptr %lsr.iv.i51.i, i64 8192
-  %exitcond.not.i67.i = icmp eq i64 %.87.i.i, %.3099.i.i
-  br i1 %exitcond.not.i67.i, label %_ZN17bnserve_inference13moving_kernel7_source8_respondB3v89B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1270.if.i.i
+B1272.endif.endif.endif.i.i:                      ; preds = %B56.if.i.i67.i, %B1270.if.i.i
+  %scevgep400.i.i = getelementptr i8, ptr %lsr.iv.i66.i, i64 8192
+  %exitcond.not.i78.i = icmp eq i64 %.87.i.i, %.3099.i.i
+  br i1 %exitcond.not.i78.i, label %_ZN17bnserve_inference13moving_kernel7_source8_respondB3v89B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1270.if.i.i
 
 _ZN17bnserve_inference13moving_kernel7_source8_respondB3v89B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1272.endif.endif.endif.i.i, %B860.endif.endif.endif.endif.endif.endif.endif.i.i, %B812.i.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.2081.i.i), !noalias !0
   call void @llvm.lifetime.end.p0(ptr nonnull %.2136.i.i), !noalias !0
   %.2484.i = load double, ptr %lsr.iv.i, align 8, !noalias !0
-  %.79.i90.i = load i64, ptr %.76.i, align 8, !noalias !50
-  %.109.i92.i = load i64, ptr %.106.i, align 8, !noalias !50
+  %.79.i120.i = load i64, ptr %.76.i, align 8, !noalias !50
+  %.109.i122.i = load i64, ptr %.106.i, align 8, !noalias !50
   %.178.i.i = load i64, ptr %.422.i, align 8, !noalias !50
   %.261.i.i = load i64, ptr %.198.i.i, align 8, !noalias !50
   %.263.i.i = inttoptr i64 %.261.i.i to ptr
   %.327.i.i = getelementptr double, ptr %.263.i.i, i64 %.213211001120.i
   %.4921211.i.i = load double, ptr %.491.i.i, align 8, !noalias !50
-  %.632.idx.i.i = shl i64 %.79.i90.i, 13
+  %.632.idx.i.i = shl i64 %.79.i120.i, 13
   %.632.i.i = getelementptr i8, ptr %.289.i, i64 %.632.idx.i.i
   %.944.i.i = getelementptr i8, ptr %.632.i.i, i64 12288
   %.11791351.not.i.i = icmp slt i64 %.178.i.i, 1
@@ -1809,7 +1821,7 @@ B934.i.i:                                         ; preds = %B728.if.i.i
   %159 = inttoptr i64 %.1712.i.i to ptr
   %.1785.i.i = getelementptr double, ptr %159, i64 %.213211001120.i
   %.1856.i.i = getelementptr double, ptr %159, i64 %.1839.i.i
-  br i1 %135, label %B1136.i.i, label %B56.if.i.i188.i
+  br i1 %135, label %B1136.i.i, label %B56.if.i.i200.i
 
 B1046.i.i:                                        ; preds = %B728.if.i.i
   %.48.i.i.i = load double, ptr %sunkaddr82.i.i, align 8, !noalias !53
@@ -1825,28 +1837,28 @@ B1046.i.i:                                        ; preds = %B728.if.i.i
   %.183.i.i.i = fsub contract double 1.000000e+00, %.182.i.i.i
   %.184.i.i.i = fmul contract double %.183.i.i.i, %.183.i.i.i
   %.185.i.i.i = fmul contract double %.183.i.i.i, %.184.i.i.i
-  %.186.i.i122.i = fmul contract double %.183.i.i.i, %.185.i.i.i
-  %.187.i.i.i = fmul contract double %.183.i.i.i, %.186.i.i122.i
-  %.191.i.i123.i = fdiv contract double %.187.i.i.i, 1.200000e+02
+  %.186.i.i155.i = fmul contract double %.183.i.i.i, %.185.i.i.i
+  %.187.i.i.i = fmul contract double %.183.i.i.i, %.186.i.i155.i
+  %.191.i.i156.i = fdiv contract double %.187.i.i.i, 1.200000e+02
   %.192.i.i.i = fmul contract double %.182.i.i.i, 5.000000e+00
   %.193.i.i.i = fadd contract double %.192.i.i.i, -2.000000e+01
   %.194.i.i.i = fmul contract double %.182.i.i.i, %.193.i.i.i
   %.195.i.i.i = fadd contract double %.194.i.i.i, 2.000000e+01
   %.196.i.i.i = fmul contract double %.182.i.i.i, %.195.i.i.i
-  %.197.i.i124.i = fadd contract double %.196.i.i.i, 2.000000e+01
-  %.198.i.i125.i = fmul contract double %.182.i.i.i, %.197.i.i124.i
-  %.199.i.i.i = fadd contract double %.198.i.i125.i, -5.000000e+01
-  %.200.i.i126.i = fmul contract double %.182.i.i.i, %.199.i.i.i
-  %.201.i.i127.i = fadd contract double %.200.i.i126.i, 2.600000e+01
-  %.205.i.i.i = fdiv contract double %.201.i.i127.i, 1.200000e+02
+  %.197.i.i.i = fadd contract double %.196.i.i.i, 2.000000e+01
+  %.198.i.i.i = fmul contract double %.182.i.i.i, %.197.i.i.i
+  %.199.i.i.i = fadd contract double %.198.i.i.i, -5.000000e+01
+  %.200.i.i.i = fmul contract double %.182.i.i.i, %.199.i.i.i
+  %.201.i.i.i = fadd contract double %.200.i.i.i, 2.600000e+01
+  %.205.i.i.i = fdiv contract double %.201.i.i.i, 1.200000e+02
   %.206.i.i.i = fmul contract double %.182.i.i.i, %.182.i.i.i
-  %.208.i.i.i = fmul contract double %.182.i.i.i, 1.000000e+01
-  %.209.i.i128.i = fsub contract double 3.000000e+01, %.208.i.i.i
-  %.210.i.i.i = fmul contract double %.206.i.i.i, %.209.i.i128.i
-  %.211.i.i129.i = fadd contract double %.210.i.i.i, -6.000000e+01
-  %.212.i.i130.i = fmul contract double %.206.i.i.i, %.211.i.i129.i
-  %.213.i.i131.i = fadd contract double %.212.i.i130.i, 6.600000e+01
-  %.217.i.i.i = fdiv contract double %.213.i.i131.i, 1.200000e+02
+  %.208.i.i157.i = fmul contract double %.182.i.i.i, 1.000000e+01
+  %.209.i.i158.i = fsub contract double 3.000000e+01, %.208.i.i157.i
+  %.210.i.i.i = fmul contract double %.206.i.i.i, %.209.i.i158.i
+  %.211.i.i159.i = fadd contract double %.210.i.i.i, -6.000000e+01
+  %.212.i.i160.i = fmul contract double %.206.i.i.i, %.211.i.i159.i
+  %.213.i.i161.i = fadd contract double %.212.i.i160.i, 6.600000e+01
+  %.217.i.i.i = fdiv contract double %.213.i.i161.i, 1.200000e+02
   %.220.i.i.i = fmul contract double %.183.i.i.i, 1.000000e+01
   %.221.i.i.i = fsub contract double 3.000000e+01, %.220.i.i.i
   %.222.i.i.i = fmul contract double %.184.i.i.i, %.221.i.i.i
@@ -1855,24 +1867,24 @@ B1046.i.i:                                        ; preds = %B728.if.i.i
   %.225.i.i.i = fadd contract double %.224.i.i.i, 6.600000e+01
   %.229.i.i.i = fdiv contract double %.225.i.i.i, 1.200000e+02
   %.230.i.i.i = fmul contract double %.183.i.i.i, 5.000000e+00
-  %.231.i.i132.i = fadd contract double %.230.i.i.i, -2.000000e+01
-  %.232.i.i133.i = fmul contract double %.183.i.i.i, %.231.i.i132.i
-  %.233.i.i134.i = fadd contract double %.232.i.i133.i, 2.000000e+01
-  %.234.i.i135.i = fmul contract double %.183.i.i.i, %.233.i.i134.i
-  %.235.i.i136.i = fadd contract double %.234.i.i135.i, 2.000000e+01
-  %.236.i.i137.i = fmul contract double %.183.i.i.i, %.235.i.i136.i
-  %.237.i.i138.i = fadd contract double %.236.i.i137.i, -5.000000e+01
-  %.238.i.i139.i = fmul contract double %.183.i.i.i, %.237.i.i138.i
-  %.239.i.i140.i = fadd contract double %.238.i.i139.i, 2.600000e+01
-  %.243.i.i141.i = fdiv contract double %.239.i.i140.i, 1.200000e+02
-  %.245.i.i142.i = fmul contract double %.182.i.i.i, %.206.i.i.i
-  %.246.i.i143.i = fmul contract double %.182.i.i.i, %.245.i.i142.i
-  %.247.i.i144.i = fmul contract double %.182.i.i.i, %.246.i.i143.i
-  %.251.i.i145.i = fdiv contract double %.247.i.i144.i, 1.200000e+02
+  %.231.i.i162.i = fadd contract double %.230.i.i.i, -2.000000e+01
+  %.232.i.i.i = fmul contract double %.183.i.i.i, %.231.i.i162.i
+  %.233.i.i.i = fadd contract double %.232.i.i.i, 2.000000e+01
+  %.234.i.i.i = fmul contract double %.183.i.i.i, %.233.i.i.i
+  %.235.i.i.i = fadd contract double %.234.i.i.i, 2.000000e+01
+  %.236.i.i.i = fmul contract double %.183.i.i.i, %.235.i.i.i
+  %.237.i.i.i = fadd contract double %.236.i.i.i, -5.000000e+01
+  %.238.i.i.i = fmul contract double %.183.i.i.i, %.237.i.i.i
+  %.239.i.i.i = fadd contract double %.238.i.i.i, 2.600000e+01
+  %.243.i.i163.i = fdiv contract double %.239.i.i.i, 1.200000e+02
+  %.245.i.i164.i = fmul contract double %.182.i.i.i, %.206.i.i.i
+  %.246.i.i165.i = fmul contract double %.182.i.i.i, %.245.i.i164.i
+  %.247.i.i166.i = fmul contract double %.182.i.i.i, %.246.i.i165.i
+  %.251.i.i167.i = fdiv contract double %.247.i.i166.i, 1.200000e+02
   br i1 %135, label %B1136.i.i, label %B642.if.i.preheader.i.i
 
 B642.if.i.preheader.i.i:                          ; preds = %B1046.i.i
-  %.265.i.i146.i = add i64 %.13.i1.i.i.i, -2
+  %.265.i.i168.i = add i64 %.13.i1.i.i.i, -2
   %160 = inttoptr i64 %.1712.i.i to ptr
   %161 = shl i64 %.13.i1.i.i.i, 7
   %162 = sub i64 -448, %161
@@ -1885,38 +1897,38 @@ B642.if.i.preheader.i.i:                          ; preds = %B1046.i.i
   %169 = sub i64 -256, %161
   %170 = sub nuw nsw i64 -128, %161
   %171 = sub i64 128, %161
-  %scevgep10.i147.i = getelementptr i8, ptr %160, i64 %139
+  %scevgep10.i169.i = getelementptr i8, ptr %160, i64 %139
   %172 = mul i64 %162, %185
-  %scevgep11.i148.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %172
+  %scevgep11.i170.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %172
   %173 = mul i64 %163, %185
-  %scevgep13.i149.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %173
+  %scevgep13.i171.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %173
   %174 = mul i64 %164, %185
-  %scevgep15.i.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %174
+  %scevgep15.i.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %174
   %175 = mul i64 %165, %185
-  %scevgep37.i.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %175
+  %scevgep37.i.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %175
   %176 = mul i64 %166, %185
-  %scevgep46.i.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %176
+  %scevgep46.i.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %176
   %177 = mul i64 %167, %185
-  %scevgep52.i.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %177
+  %scevgep52.i.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %177
   %178 = mul i64 %168, %185
-  %scevgep56.i.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %178
+  %scevgep56.i.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %178
   %179 = mul i64 %169, %185
-  %scevgep58.i.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %179
+  %scevgep58.i.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %179
   %180 = mul i64 %170, %185
-  %scevgep60.i.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %180
+  %scevgep60.i.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %180
   %181 = mul i64 %.13.i1.i.i.i, %186
-  %scevgep63.i.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %181
+  %scevgep63.i.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %181
   %182 = mul i64 %171, %185
-  %scevgep65.i.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %182
-  %183 = mul i64 %.265.i.i146.i, %186
-  %scevgep67.i.i = getelementptr i8, ptr %scevgep10.i147.i, i64 %183
+  %scevgep65.i.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %182
+  %183 = mul i64 %.265.i.i168.i, %186
+  %scevgep67.i.i = getelementptr i8, ptr %scevgep10.i169.i, i64 %183
   br label %B642.if.i.i.i
 
-B1136.i.i:                                        ; preds = %B642.if.i.i.i, %B56.if.i.i188.i, %B1046.i.i, %B934.i.i
-  %.2160.i160.i = mul nuw nsw i64 %.135212881302.i.i, %.178.i.i
-  %.2162.i.i = add nuw nsw i64 %.2160.i160.i, %.118513191354.i.i
-  %.idx.i161.i = shl i64 %.2162.i.i, 4
-  %184 = getelementptr i8, ptr %189, i64 %.idx.i161.i
+B1136.i.i:                                        ; preds = %B642.if.i.i.i, %B56.if.i.i200.i, %B1046.i.i, %B934.i.i
+  %.2160.i175.i = mul nuw nsw i64 %.135212881302.i.i, %.178.i.i
+  %.2162.i.i = add nuw nsw i64 %.2160.i175.i, %.118513191354.i.i
+  %.idx.i176.i = shl i64 %.2162.i.i, 4
+  %184 = getelementptr i8, ptr %189, i64 %.idx.i176.i
   %.2193.i.i = load double, ptr %184, align 8, !noalias !50
   br i1 %140, label %B1136.endif.thread.i.i, label %B104.if.i.i.i
 
@@ -1928,43 +1940,43 @@ B1136.endif.thread.i.i:                           ; preds = %B1136.i.i
   br label %B1136.endif.endif.i.i
 
 B104.if.i.i.i:                                    ; preds = %B1136.i.i, %B104.if.i.i.i
-  %lsr.iv9.i.i.i = phi i64 [ %lsr.iv.next.i.i176.i, %B104.if.i.i.i ], [ %.60.1.i.i.i, %B1136.i.i ]
-  %lsr.iv.i.i162.i = phi ptr [ %scevgep1.i.i.i, %B104.if.i.i.i ], [ %scevgep.i.i96.i, %B1136.i.i ]
+  %lsr.iv9.i.i.i = phi i64 [ %lsr.iv.next.i.i189.i, %B104.if.i.i.i ], [ %.60.1.i.i.i, %B1136.i.i ]
+  %lsr.iv.i.i177.i = phi ptr [ %scevgep1.i.i.i, %B104.if.i.i.i ], [ %scevgep.i.i126.i, %B1136.i.i ]
   %s7.2.0168.i.i.i = phi double [ %.489.i.i.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
   %s6.2.0167.i.i.i = phi double [ %.454.i.i.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
-  %s5.2.0166.i.i.i = phi double [ %.419.i.i175.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
-  %s4.2.0165.i.i.i = phi double [ %.384.i.i173.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
-  %s3.2.0164.i.i.i = phi double [ %.349.i.i171.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
+  %s5.2.0166.i.i.i = phi double [ %.419.i.i188.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
+  %s4.2.0165.i.i.i = phi double [ %.384.i.i186.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
+  %s3.2.0164.i.i.i = phi double [ %.349.i.i.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
   %s2.2.0163.i.i.i = phi double [ %.314.i.i.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
   %s1.2.0162.i.i.i = phi double [ %.279.i.i.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
-  %s0.2.0161.i.i.i = phi double [ %.244.i.i165.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
-  %scevgep2.i.i163.i = getelementptr i8, ptr %lsr.iv.i.i162.i, i64 -56
-  %.242.i.i164.i = load double, ptr %scevgep2.i.i163.i, align 8, !noalias !56
-  %.244.i.i165.i = fadd contract double %s0.2.0161.i.i.i, %.242.i.i164.i
-  %scevgep3.i.i166.i = getelementptr i8, ptr %lsr.iv.i.i162.i, i64 -48
-  %.277.i.i167.i = load double, ptr %scevgep3.i.i166.i, align 8, !noalias !56
-  %.279.i.i.i = fadd contract double %s1.2.0162.i.i.i, %.277.i.i167.i
-  %scevgep4.i.i168.i = getelementptr i8, ptr %lsr.iv.i.i162.i, i64 -40
-  %.312.i.i.i = load double, ptr %scevgep4.i.i168.i, align 8, !noalias !56
+  %s0.2.0161.i.i.i = phi double [ %.244.i.i179.i, %B104.if.i.i.i ], [ 0.000000e+00, %B1136.i.i ]
+  %scevgep2.i.i178.i = getelementptr i8, ptr %lsr.iv.i.i177.i, i64 -56
+  %.242.i.i.i = load double, ptr %scevgep2.i.i178.i, align 8, !noalias !56
+  %.244.i.i179.i = fadd contract double %s0.2.0161.i.i.i, %.242.i.i.i
+  %scevgep3.i.i180.i = getelementptr i8, ptr %lsr.iv.i.i177.i, i64 -48
+  %.277.i.i181.i = load double, ptr %scevgep3.i.i180.i, align 8, !noalias !56
+  %.279.i.i.i = fadd contract double %s1.2.0162.i.i.i, %.277.i.i181.i
+  %scevgep4.i.i182.i = getelementptr i8, ptr %lsr.iv.i.i177.i, i64 -40
+  %.312.i.i.i = load double, ptr %scevgep4.i.i182.i, align 8, !noalias !56
   %.314.i.i.i = fadd contract double %s2.2.0163.i.i.i, %.312.i.i.i
-  %scevgep5.i.i169.i = getelementptr i8, ptr %lsr.iv.i.i162.i, i64 -32
-  %.347.i.i170.i = load double, ptr %scevgep5.i.i169.i, align 8, !noalias !56
-  %.349.i.i171.i = fadd contract double %s3.2.0164.i.i.i, %.347.i.i170.i
-  %scevgep6.i.i.i = getelementptr i8, ptr %lsr.iv.i.i162.i, i64 -24
-  %.382.i.i172.i = load double, ptr %scevgep6.i.i.i, align 8, !noalias !56
-  %.384.i.i173.i = fadd contract double %s4.2.0165.i.i.i, %.382.i.i172.i
-  %scevgep7.i.i.i = getelementptr i8, ptr %lsr.iv.i.i162.i, i64 -16
-  %.417.i.i174.i = load double, ptr %scevgep7.i.i.i, align 8, !noalias !56
-  %.419.i.i175.i = fadd contract double %s5.2.0166.i.i.i, %.417.i.i174.i
-  %scevgep8.i.i.i = getelementptr i8, ptr %lsr.iv.i.i162.i, i64 -8
+  %scevgep5.i.i183.i = getelementptr i8, ptr %lsr.iv.i.i177.i, i64 -32
+  %.347.i.i184.i = load double, ptr %scevgep5.i.i183.i, align 8, !noalias !56
+  %.349.i.i.i = fadd contract double %s3.2.0164.i.i.i, %.347.i.i184.i
+  %scevgep6.i.i.i = getelementptr i8, ptr %lsr.iv.i.i177.i, i64 -24
+  %.382.i.i185.i = load double, ptr %scevgep6.i.i.i, align 8, !noalias !56
+  %.384.i.i186.i = fadd contract double %s4.2.0165.i.i.i, %.382.i.i185.i
+  %scevgep7.i.i.i = getelementptr i8, ptr %lsr.iv.i.i177.i, i64 -16
+  %.417.i.i187.i = load double, ptr %scevgep7.i.i.i, align 8, !noalias !56
+  %.419.i.i188.i = fadd contract double %s5.2.0166.i.i.i, %.417.i.i187.i
+  %scevgep8.i.i.i = getelementptr i8, ptr %lsr.iv.i.i177.i, i64 -8
   %.452.i.i.i = load double, ptr %scevgep8.i.i.i, align 8, !noalias !56
   %.454.i.i.i = fadd contract double %s6.2.0167.i.i.i, %.452.i.i.i
-  %.487.i.i.i = load double, ptr %lsr.iv.i.i162.i, align 8, !noalias !56
+  %.487.i.i.i = load double, ptr %lsr.iv.i.i177.i, align 8, !noalias !56
   %.489.i.i.i = fadd contract double %s7.2.0168.i.i.i, %.487.i.i.i
-  %scevgep1.i.i.i = getelementptr i8, ptr %lsr.iv.i.i162.i, i64 64
-  %lsr.iv.next.i.i176.i = add nsw i64 %lsr.iv9.i.i.i, -1
-  %exitcond.not.i.i177.i = icmp eq i64 %lsr.iv.next.i.i176.i, 0
-  br i1 %exitcond.not.i.i177.i, label %B104.if.i159.preheader.i.i, label %B104.if.i.i.i
+  %scevgep1.i.i.i = getelementptr i8, ptr %lsr.iv.i.i177.i, i64 64
+  %lsr.iv.next.i.i189.i = add nsw i64 %lsr.iv9.i.i.i, -1
+  %exitcond.not.i.i190.i = icmp eq i64 %lsr.iv.next.i.i189.i, 0
+  br i1 %exitcond.not.i.i190.i, label %B104.if.i159.preheader.i.i, label %B104.if.i.i.i
 
 B1312.i.i:                                        ; preds = %B1136.endif.endif.i.i
   %.2383.i.i = load i64, ptr %.504.i, align 8, !noalias !50
@@ -1973,37 +1985,37 @@ B1312.i.i:                                        ; preds = %B1136.endif.endif.i
   br i1 %or.cond.i.i, label %B1538.i.i, label %B62.if.preheader.i.i.i
 
 B1538.i.i:                                        ; preds = %B62.if.i.i.i, %B1136.endif.endif.i.i, %B1312.i.i
-  %scevgep388.i.i = getelementptr i8, ptr %lsr.iv.i121.i, i64 8192
-  %exitcond.not.i178.i = icmp eq i64 %.79.i90.i, %.1359.i.i
-  br i1 %exitcond.not.i178.i, label %B634.loopexit.i.i, label %B728.if.i.i
+  %scevgep388.i.i = getelementptr i8, ptr %lsr.iv.i154.i, i64 8192
+  %exitcond.not.i191.i = icmp eq i64 %.79.i120.i, %.1359.i.i
+  br i1 %exitcond.not.i191.i, label %B634.loopexit.i.i, label %B728.if.i.i
 
 B634.if.lr.ph.i.i:                                ; preds = %_ZN17bnserve_inference13moving_kernel7_source8_respondB3v89B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %.546.i.i = load i64, ptr %sunkaddr133.i, align 8, !noalias !50
-  %.550.i94.i = mul i64 %.79.i90.i, %.548.i93.i
-  %.552.i.i = mul i64 %.550.i94.i, %.178.i.i
+  %.550.i124.i = mul i64 %.79.i120.i, %.548.i123.i
+  %.552.i.i = mul i64 %.550.i124.i, %.178.i.i
   %.553.i.i = add nsw i64 %.546.i.i, %.552.i.i
-  %.414.i.i = load i64, ptr %.413.i95.i, align 8, !noalias !50
+  %.414.i.i = load i64, ptr %.413.i125.i, align 8, !noalias !50
   %.139.i.i = load i64, ptr %.138.i.i, align 8, !noalias !50
-  %.181.i.i = sub i64 0, %.109.i92.i
+  %.181.i.i = sub i64 0, %.109.i122.i
   %.189.1.i.i = and i64 %.181.i.i, -8
-  %.1669.i.i = mul nsw i64 %.79.i90.i, %.232410861091.i
+  %.1669.i.i = mul nsw i64 %.79.i120.i, %.232410861091.i
   %.1839.i.i = sub i64 %.213211001120.i, %.189.1.i.i
   %.2350.i.i = add nsw i64 %.178.i.i, -1
-  %.2388.i.i = sub i64 %.109.i92.i, %.213211001120.i
-  %.2450.i.i = mul nsw i64 %.79.i90.i, %.631.sroa.0.073.i
+  %.2388.i.i = sub i64 %.109.i122.i, %.213211001120.i
+  %.2450.i.i = mul nsw i64 %.79.i120.i, %.631.sroa.0.073.i
   %.152.i.i.i = add i64 %.139.i.i, -4
-  %scevgep.i.i96.i = getelementptr i8, ptr %.632.i.i, i64 56
+  %scevgep.i.i126.i = getelementptr i8, ptr %.632.i.i, i64 56
   %scevgep.i158.i.i = getelementptr i8, ptr %.632.i.i, i64 4152
-  %.13.i.i97.i = tail call i64 @llvm.smin.i64(i64 %.2388.i.i, i64 range(i64 -9223372036854775808, 513) %.13.i.i)
+  %.13.i.i127.i = tail call i64 @llvm.smin.i64(i64 %.2388.i.i, i64 range(i64 -9223372036854775808, 513) %.13.i.i)
   %185 = lshr i64 %.181.i.i, 3
   %186 = mul i64 %185, -128
   %scevgep79.i.i = getelementptr i8, ptr %.632.i.i, i64 4096
-  %187 = icmp slt i64 %.79.i90.i, 1
+  %187 = icmp slt i64 %.79.i120.i, 1
   %188 = icmp eq i64 %.139.i.i, 1
   %189 = inttoptr i64 %.553.i.i to ptr
   %sunkaddr82.i.i = inttoptr i64 %.414.i.i to ptr
   %sunkaddr84.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 8
-  %190 = icmp slt i64 %.13.i.i97.i, 1
+  %190 = icmp slt i64 %.13.i.i127.i, 1
   %factor.op.mul = mul i64 %.189.1.i.i, %.139.i.i
   %factor.op.mul.i.reass = mul i64 %factor.op.mul, -16
   br label %B634.if.i.i
@@ -2025,46 +2037,46 @@ B78.if.i.i.i:                                     ; preds = %B634.if.i.i, %B78.i
   %scevgep2.i108.i.i = getelementptr i8, ptr %.327.i.i, i64 %191
   %.212.i109.i.i = load double, ptr %scevgep2.i108.i.i, align 8, !noalias !59
   %.214.i.i.i = fmul contract double %.48.i107.i.i, %.212.i109.i.i
-  %.215.i.i.i = tail call contract double @llvm.fma.f64(double %.214.i.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
-  %.216.i.i99.i = fadd contract double %.215.i.i.i, 0xC338000000000000
-  %.231.i110.i.i = tail call contract double @llvm.fma.f64(double %.216.i.i99.i, double 0xBFF921FB54442D18, double %.214.i.i.i)
-  %.246.i111.i.i = tail call contract double @llvm.fma.f64(double %.216.i.i99.i, double 0xBC91A62633145C07, double %.231.i110.i.i)
+  %.215.i.i129.i = tail call contract double @llvm.fma.f64(double %.214.i.i.i, double 0x3FE45F306DC9C883, double 0x4338000000000000)
+  %.216.i.i130.i = fadd contract double %.215.i.i129.i, 0xC338000000000000
+  %.231.i110.i.i = tail call contract double @llvm.fma.f64(double %.216.i.i130.i, double 0xBFF921FB54442D18, double %.214.i.i.i)
+  %.246.i111.i.i = tail call contract double @llvm.fma.f64(double %.216.i.i130.i, double 0xBC91A62633145C07, double %.231.i110.i.i)
   %.247.i112.i.i = fmul contract double %.246.i111.i.i, %.246.i111.i.i
-  %.248.i.i100.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
-  %.249.i.i101.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.248.i.i100.i, double 0xBE5AE64567F544E4)
-  %.250.i.i102.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.249.i.i101.i, double 0x3EC71DE3A556C734)
-  %.251.i113.i.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.250.i.i102.i, double 0xBF2A01A01A01A01A)
-  %.252.i.i103.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.251.i113.i.i, double 0x3F81111111111111)
-  %.253.i.i104.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.252.i.i103.i, double 0xBFC5555555555555)
-  %.254.i.i105.i = fmul contract double %.246.i111.i.i, %.247.i112.i.i
-  %.255.i.i106.i = tail call contract double @llvm.fma.f64(double %.254.i.i105.i, double %.253.i.i104.i, double %.246.i111.i.i)
-  %.256.i.i107.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
-  %.257.i.i108.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.256.i.i107.i, double 0x3E21EED8EFF8D898)
-  %.258.i.i109.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.257.i.i108.i, double 0xBE927E4FB7789F5C)
-  %.259.i.i110.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.258.i.i109.i, double 0x3EFA01A01A01A01A)
-  %.260.i.i111.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.259.i.i110.i, double 0xBF56C16C16C16C17)
-  %.261.i.i112.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.260.i.i111.i, double 0x3FA5555555555555)
-  %.262.i.i113.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.261.i.i112.i, double -5.000000e-01)
-  %.263.i.i114.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.262.i.i113.i, double 1.000000e+00)
-  %.264.i114.i.i = bitcast double %.215.i.i.i to i64
-  %.265.i115.i.i = bitcast double %.255.i.i106.i to i64
-  %.266.i116.i.i = bitcast double %.263.i.i114.i to i64
+  %.248.i.i131.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
+  %.249.i.i132.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.248.i.i131.i, double 0xBE5AE64567F544E4)
+  %.250.i.i133.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.249.i.i132.i, double 0x3EC71DE3A556C734)
+  %.251.i113.i.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.250.i.i133.i, double 0xBF2A01A01A01A01A)
+  %.252.i.i134.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.251.i113.i.i, double 0x3F81111111111111)
+  %.253.i.i135.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.252.i.i134.i, double 0xBFC5555555555555)
+  %.254.i.i136.i = fmul contract double %.246.i111.i.i, %.247.i112.i.i
+  %.255.i.i137.i = tail call contract double @llvm.fma.f64(double %.254.i.i136.i, double %.253.i.i135.i, double %.246.i111.i.i)
+  %.256.i.i138.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
+  %.257.i.i139.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.256.i.i138.i, double 0x3E21EED8EFF8D898)
+  %.258.i.i140.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.257.i.i139.i, double 0xBE927E4FB7789F5C)
+  %.259.i.i141.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.258.i.i140.i, double 0x3EFA01A01A01A01A)
+  %.260.i.i142.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.259.i.i141.i, double 0xBF56C16C16C16C17)
+  %.261.i.i143.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.260.i.i142.i, double 0x3FA5555555555555)
+  %.262.i.i144.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.261.i.i143.i, double -5.000000e-01)
+  %.263.i.i145.i = tail call contract double @llvm.fma.f64(double %.247.i112.i.i, double %.262.i.i144.i, double 1.000000e+00)
+  %.264.i114.i.i = bitcast double %.215.i.i129.i to i64
+  %.265.i115.i.i = bitcast double %.255.i.i137.i to i64
+  %.266.i116.i.i = bitcast double %.263.i.i145.i to i64
   %.267.i117.i.i = xor i64 %.266.i116.i.i, %.265.i115.i.i
-  %.268.i.i115.i = and i64 %.264.i114.i.i, 1
-  %192 = icmp eq i64 %.268.i.i115.i, 0
-  %.270.i.i.i = select i1 %192, i64 0, i64 %.267.i117.i.i
-  %.271.i.i116.i = shl i64 %.264.i114.i.i, 62
-  %.272.i.i117.i = and i64 %.271.i.i116.i, -9223372036854775808
-  %.274.i.i118.i = add i64 %.271.i.i116.i, 4611686018427387904
-  %.275.i.i119.i = and i64 %.274.i.i118.i, -9223372036854775808
-  %193 = xor i64 %.272.i.i117.i, %.265.i115.i.i
-  %.277.i118.i.i = xor i64 %193, %.270.i.i.i
-  %194 = xor i64 %.275.i.i119.i, %.266.i116.i.i
-  %.280.i.i.i = xor i64 %194, %.270.i.i.i
+  %.268.i.i146.i = and i64 %.264.i114.i.i, 1
+  %192 = icmp eq i64 %.268.i.i146.i, 0
+  %.270.i.i147.i = select i1 %192, i64 0, i64 %.267.i117.i.i
+  %.271.i.i148.i = shl i64 %.264.i114.i.i, 62
+  %.272.i.i149.i = and i64 %.271.i.i148.i, -9223372036854775808
+  %.274.i.i150.i = add i64 %.271.i.i148.i, 4611686018427387904
+  %.275.i.i151.i = and i64 %.274.i.i150.i, -9223372036854775808
+  %193 = xor i64 %.272.i.i149.i, %.265.i115.i.i
+  %.277.i118.i.i = xor i64 %193, %.270.i.i147.i
+  %194 = xor i64 %.275.i.i151.i, %.266.i116.i.i
+  %.280.i.i152.i = xor i64 %194, %.270.i.i147.i
   %scevgep9.i.i = getelementptr i8, ptr %.944.i.i, i64 %191
   store i64 %.277.i118.i.i, ptr %scevgep9.i.i, align 8, !noalias !59
-  %scevgep8.i120.i = getelementptr i8, ptr %scevgep9.i.i, i64 -4096
-  store i64 %.280.i.i.i, ptr %scevgep8.i120.i, align 8, !noalias !59
+  %scevgep8.i153.i = getelementptr i8, ptr %scevgep9.i.i, i64 -4096
+  store i64 %.280.i.i152.i, ptr %scevgep8.i153.i, align 8, !noalias !59
   %exitcond.not.i121.i.i = icmp eq i64 %.13.i.i, %.157.i.i.i
   br i1 %exitcond.not.i121.i.i, label %B638.endif.i.i, label %B78.if.i.i.i
 
@@ -2076,7 +2088,7 @@ B728.if.preheader.i.i:                            ; preds = %B638.endif.i.i
   br label %B728.if.i.i
 
 B728.if.i.i:                                      ; preds = %B728.if.preheader.i.i, %B1538.i.i
-  %lsr.iv.i121.i = phi ptr [ %scevgep388.i.i, %B1538.i.i ], [ %scevgep440.i.i, %B728.if.preheader.i.i ]
+  %lsr.iv.i154.i = phi ptr [ %scevgep388.i.i, %B1538.i.i ], [ %scevgep440.i.i, %B728.if.preheader.i.i ]
   %.135212881302.i.i = phi i64 [ %.1359.i.i, %B1538.i.i ], [ 0, %B728.if.preheader.i.i ]
   %.1359.i.i = add nuw nsw i64 %.135212881302.i.i, 1
   %.1659.i.i = load i64, ptr %sunkaddr88.i.i, align 8, !noalias !50
@@ -2088,11 +2100,11 @@ B728.if.i.i:                                      ; preds = %B728.if.preheader.i
   %.1712.i.i = add nsw i64 %.1711.i.i, %.1708.i.i
   br i1 %188, label %B934.i.i, label %B1046.i.i
 
-B56.if.i.i188.i:                                  ; preds = %B934.i.i, %B56.if.i.i188.i
-  %.214284286.i.i.i = phi i64 [ %.221.i142.i.i, %B56.if.i.i188.i ], [ 0, %B934.i.i ]
+B56.if.i.i200.i:                                  ; preds = %B934.i.i, %B56.if.i.i200.i
+  %.214284286.i.i.i = phi i64 [ %.221.i142.i.i, %B56.if.i.i200.i ], [ 0, %B934.i.i ]
   %.221.i142.i.i = add nuw nsw i64 %.214284286.i.i.i, 1
   %196 = shl i64 %.214284286.i.i.i, 3
-  %scevgep402.i.i = getelementptr i8, ptr %lsr.iv.i121.i, i64 %196
+  %scevgep402.i.i = getelementptr i8, ptr %lsr.iv.i154.i, i64 %196
   %scevgep403.i.i = getelementptr i8, ptr %scevgep402.i.i, i64 -4096
   %.275.i144.i.i = load double, ptr %scevgep403.i.i, align 8, !noalias !62
   %scevgep397.i.i = getelementptr i8, ptr %.944.i.i, i64 %196
@@ -2100,36 +2112,36 @@ B56.if.i.i188.i:                                  ; preds = %B934.i.i, %B56.if.i
   %.305.i.i.i = load double, ptr %scevgep398.i.i, align 8, !noalias !62
   %.306.i.i.i = fmul contract double %.275.i144.i.i, %.305.i.i.i
   %.336.i.i.i = load double, ptr %scevgep402.i.i, align 8, !noalias !62
-  %.366.i.i189.i = load double, ptr %scevgep397.i.i, align 8, !noalias !62
-  %.367.i.i190.i = fmul contract double %.336.i.i.i, %.366.i.i189.i
-  %.368.i.i191.i = fsub contract double %.306.i.i.i, %.367.i.i190.i
-  %.429.i.i192.i = fmul contract double %.275.i144.i.i, %.366.i.i189.i
+  %.366.i.i.i = load double, ptr %scevgep397.i.i, align 8, !noalias !62
+  %.367.i.i.i = fmul contract double %.336.i.i.i, %.366.i.i.i
+  %.368.i.i.i = fsub contract double %.306.i.i.i, %.367.i.i.i
+  %.429.i.i201.i = fmul contract double %.275.i144.i.i, %.366.i.i.i
   %.490.i.i.i = fmul contract double %.305.i.i.i, %.336.i.i.i
-  %.491.i.i.i = fadd contract double %.490.i.i.i, %.429.i.i192.i
+  %.491.i.i.i = fadd contract double %.490.i.i.i, %.429.i.i201.i
   %scevgep74.i.i = getelementptr i8, ptr %.1785.i.i, i64 %196
-  %.521.i.i193.i = load double, ptr %scevgep74.i.i, align 8, !noalias !62
-  %.522.i.i.i = fmul contract double %.521.i.i193.i, %.368.i.i191.i
+  %.521.i.i.i = load double, ptr %scevgep74.i.i, align 8, !noalias !62
+  %.522.i.i.i = fmul contract double %.521.i.i.i, %.368.i.i.i
   %scevgep73.i.i = getelementptr i8, ptr %.1856.i.i, i64 %196
   %.552.i.i.i = load double, ptr %scevgep73.i.i, align 8, !noalias !62
-  %.553.i.i.i = fmul contract double %.552.i.i.i, %.491.i.i.i
-  %.554.i.i.i = fsub contract double %.522.i.i.i, %.553.i.i.i
+  %.553.i.i202.i = fmul contract double %.552.i.i.i, %.491.i.i.i
+  %.554.i.i.i = fsub contract double %.522.i.i.i, %.553.i.i202.i
   %scevgep78.i.i = getelementptr i8, ptr %scevgep397.i.i, i64 -12288
   store double %.554.i.i.i, ptr %scevgep78.i.i, align 8, !noalias !62
-  %.614.i.i194.i = load double, ptr %scevgep74.i.i, align 8, !noalias !62
-  %.615.i.i.i = fmul contract double %.491.i.i.i, %.614.i.i194.i
-  %.645.i.i.i = load double, ptr %scevgep73.i.i, align 8, !noalias !62
-  %.646.i.i.i = fmul contract double %.368.i.i191.i, %.645.i.i.i
-  %.647.i.i.i = fadd contract double %.615.i.i.i, %.646.i.i.i
+  %.614.i.i.i = load double, ptr %scevgep74.i.i, align 8, !noalias !62
+  %.615.i.i.i = fmul contract double %.491.i.i.i, %.614.i.i.i
+  %.645.i.i203.i = load double, ptr %scevgep73.i.i, align 8, !noalias !62
+  %.646.i.i204.i = fmul contract double %.368.i.i.i, %.645.i.i203.i
+  %.647.i.i205.i = fadd contract double %.615.i.i.i, %.646.i.i204.i
   %scevgep76.i.i = getelementptr i8, ptr %scevgep397.i.i, i64 -8192
-  store double %.647.i.i.i, ptr %scevgep76.i.i, align 8, !noalias !62
+  store double %.647.i.i205.i, ptr %scevgep76.i.i, align 8, !noalias !62
   %exitcond.not.i152.i.i = icmp eq i64 %.13.i.i, %.221.i142.i.i
-  br i1 %exitcond.not.i152.i.i, label %B1136.i.i, label %B56.if.i.i188.i
+  br i1 %exitcond.not.i152.i.i, label %B1136.i.i, label %B56.if.i.i200.i
 
 B642.if.i.i.i:                                    ; preds = %B642.if.i.i.i, %B642.if.i.preheader.i.i
   %.114610431045.i.i.i = phi i64 [ %.1153.i.i.i, %B642.if.i.i.i ], [ 0, %B642.if.i.preheader.i.i ]
   %.1153.i.i.i = add nuw nsw i64 %.114610431045.i.i.i, 1
   %197 = shl i64 %.114610431045.i.i.i, 3
-  %scevgep390.i.i = getelementptr i8, ptr %lsr.iv.i121.i, i64 %197
+  %scevgep390.i.i = getelementptr i8, ptr %lsr.iv.i154.i, i64 %197
   %scevgep391.i.i = getelementptr i8, ptr %scevgep390.i.i, i64 -4096
   %.1207.i.i.i = load double, ptr %scevgep391.i.i, align 8, !noalias !65
   %scevgep355.i.i = getelementptr i8, ptr %.944.i.i, i64 %197
@@ -2142,14 +2154,14 @@ B642.if.i.i.i:                                    ; preds = %B642.if.i.i.i, %B64
   %.1300.i.i.i = fsub contract double %.1238.i.i.i, %.1299.i.i.i
   %.1361.i.i.i = fmul contract double %.1207.i.i.i, %.1298.i.i.i
   %.1422.i.i.i = fmul contract double %.1237.i.i.i, %.1268.i.i.i
-  %.1423.i.i150.i = fadd contract double %.1422.i.i.i, %.1361.i.i.i
+  %.1423.i.i.i = fadd contract double %.1422.i.i.i, %.1361.i.i.i
   %scevgep68.i.i = getelementptr i8, ptr %scevgep67.i.i, i64 %197
   %.1453.i.i.i = load double, ptr %scevgep68.i.i, align 8, !noalias !65
-  %.1455.i.i151.i = fmul contract double %.191.i.i123.i, %.1453.i.i.i
+  %.1455.i.i.i = fmul contract double %.191.i.i156.i, %.1453.i.i.i
   %scevgep66.i.i = getelementptr i8, ptr %scevgep65.i.i, i64 %197
   %.1485.i.i.i = load double, ptr %scevgep66.i.i, align 8, !noalias !65
   %.1487.i.i.i = fmul contract double %.205.i.i.i, %.1485.i.i.i
-  %.1488.i.i.i = fadd contract double %.1455.i.i151.i, %.1487.i.i.i
+  %.1488.i.i.i = fadd contract double %.1455.i.i.i, %.1487.i.i.i
   %scevgep64.i.i = getelementptr i8, ptr %scevgep63.i.i, i64 %197
   %.1518.i.i.i = load double, ptr %scevgep64.i.i, align 8, !noalias !65
   %.1520.i.i.i = fmul contract double %.217.i.i.i, %.1518.i.i.i
@@ -2160,41 +2172,41 @@ B642.if.i.i.i:                                    ; preds = %B642.if.i.i.i, %B64
   %.1554.i.i.i = fadd contract double %.1521.i.i.i, %.1553.i.i.i
   %scevgep59.i.i = getelementptr i8, ptr %scevgep58.i.i, i64 %197
   %.1584.i.i.i = load double, ptr %scevgep59.i.i, align 8, !noalias !65
-  %.1586.i.i152.i = fmul contract double %.243.i.i141.i, %.1584.i.i.i
-  %.1587.i.i153.i = fadd contract double %.1554.i.i.i, %.1586.i.i152.i
+  %.1586.i.i.i = fmul contract double %.243.i.i163.i, %.1584.i.i.i
+  %.1587.i.i.i = fadd contract double %.1554.i.i.i, %.1586.i.i.i
   %scevgep57.i.i = getelementptr i8, ptr %scevgep56.i.i, i64 %197
   %.1617.i.i.i = load double, ptr %scevgep57.i.i, align 8, !noalias !65
-  %.1619.i.i154.i = fmul contract double %.251.i.i145.i, %.1617.i.i.i
-  %.1620.i.i.i = fadd contract double %.1587.i.i153.i, %.1619.i.i154.i
+  %.1619.i.i.i = fmul contract double %.251.i.i167.i, %.1617.i.i.i
+  %.1620.i.i.i = fadd contract double %.1587.i.i.i, %.1619.i.i.i
   %scevgep54.i.i = getelementptr i8, ptr %scevgep52.i.i, i64 %197
-  %.1650.i.i155.i = load double, ptr %scevgep54.i.i, align 8, !noalias !65
-  %.1652.i.i.i = fmul contract double %.191.i.i123.i, %.1650.i.i155.i
+  %.1650.i.i.i = load double, ptr %scevgep54.i.i, align 8, !noalias !65
+  %.1652.i.i.i = fmul contract double %.191.i.i156.i, %.1650.i.i.i
   %scevgep50.i.i = getelementptr i8, ptr %scevgep46.i.i, i64 %197
-  %.1682.i.i156.i = load double, ptr %scevgep50.i.i, align 8, !noalias !65
-  %.1684.i.i.i = fmul contract double %.205.i.i.i, %.1682.i.i156.i
+  %.1682.i.i.i = load double, ptr %scevgep50.i.i, align 8, !noalias !65
+  %.1684.i.i.i = fmul contract double %.205.i.i.i, %.1682.i.i.i
   %.1685.i.i.i = fadd contract double %.1652.i.i.i, %.1684.i.i.i
   %scevgep44.i.i = getelementptr i8, ptr %scevgep37.i.i, i64 %197
   %.1715.i.i.i = load double, ptr %scevgep44.i.i, align 8, !noalias !50
   %.1717.i.i.i = fmul contract double %.217.i.i.i, %.1715.i.i.i
   %.1718.i.i.i = fadd contract double %.1685.i.i.i, %.1717.i.i.i
-  %scevgep23.i157.i = getelementptr i8, ptr %scevgep15.i.i, i64 %197
-  %.1748.i.i.i = load double, ptr %scevgep23.i157.i, align 8, !noalias !50
+  %scevgep23.i172.i = getelementptr i8, ptr %scevgep15.i.i, i64 %197
+  %.1748.i.i.i = load double, ptr %scevgep23.i172.i, align 8, !noalias !50
   %.1750.i.i.i = fmul contract double %.229.i.i.i, %.1748.i.i.i
   %.1751.i.i.i = fadd contract double %.1718.i.i.i, %.1750.i.i.i
-  %scevgep14.i158.i = getelementptr i8, ptr %scevgep13.i149.i, i64 %197
-  %.1781.i.i.i = load double, ptr %scevgep14.i158.i, align 8, !noalias !50
-  %.1783.i.i.i = fmul contract double %.243.i.i141.i, %.1781.i.i.i
+  %scevgep14.i173.i = getelementptr i8, ptr %scevgep13.i171.i, i64 %197
+  %.1781.i.i.i = load double, ptr %scevgep14.i173.i, align 8, !noalias !50
+  %.1783.i.i.i = fmul contract double %.243.i.i163.i, %.1781.i.i.i
   %.1784.i.i.i = fadd contract double %.1751.i.i.i, %.1783.i.i.i
-  %scevgep12.i159.i = getelementptr i8, ptr %scevgep11.i148.i, i64 %197
-  %.1814.i.i.i = load double, ptr %scevgep12.i159.i, align 8, !noalias !50
-  %.1816.i.i.i = fmul contract double %.251.i.i145.i, %.1814.i.i.i
+  %scevgep12.i174.i = getelementptr i8, ptr %scevgep11.i170.i, i64 %197
+  %.1814.i.i.i = load double, ptr %scevgep12.i174.i, align 8, !noalias !50
+  %.1816.i.i.i = fmul contract double %.251.i.i167.i, %.1814.i.i.i
   %.1817.i.i.i = fadd contract double %.1784.i.i.i, %.1816.i.i.i
   %.1818.i.i.i = fmul contract double %.1300.i.i.i, %.1620.i.i.i
-  %.1819.i.i.i = fmul contract double %.1423.i.i150.i, %.1817.i.i.i
+  %.1819.i.i.i = fmul contract double %.1423.i.i.i, %.1817.i.i.i
   %.1820.i.i.i = fsub contract double %.1818.i.i.i, %.1819.i.i.i
   %scevgep72.i.i = getelementptr i8, ptr %scevgep355.i.i, i64 -12288
   store double %.1820.i.i.i, ptr %scevgep72.i.i, align 8, !noalias !65
-  %.1851.i.i.i = fmul contract double %.1423.i.i150.i, %.1620.i.i.i
+  %.1851.i.i.i = fmul contract double %.1423.i.i.i, %.1620.i.i.i
   %.1852.i.i.i = fmul contract double %.1300.i.i.i, %.1817.i.i.i
   %.1853.i.i.i = fadd contract double %.1851.i.i.i, %.1852.i.i.i
   %scevgep70.i.i = getelementptr i8, ptr %scevgep355.i.i, i64 -8192
@@ -2203,10 +2215,10 @@ B642.if.i.i.i:                                    ; preds = %B642.if.i.i.i, %B64
   br i1 %exitcond.not.i154.i.i, label %B1136.i.i, label %B642.if.i.i.i
 
 B104.if.i159.preheader.i.i:                       ; preds = %B104.if.i.i.i
-  %198 = fadd contract double %.244.i.i165.i, %.279.i.i.i
-  %199 = fadd contract double %.314.i.i.i, %.349.i.i171.i
+  %198 = fadd contract double %.244.i.i179.i, %.279.i.i.i
+  %199 = fadd contract double %.314.i.i.i, %.349.i.i.i
   %200 = fadd contract double %198, %199
-  %201 = fadd contract double %.384.i.i173.i, %.419.i.i175.i
+  %201 = fadd contract double %.384.i.i186.i, %.419.i.i188.i
   %202 = fadd contract double %.454.i.i.i, %.489.i.i.i
   %203 = fadd contract double %201, %202
   %204 = fadd contract double %200, %203
@@ -2275,10 +2287,10 @@ B1136.endif.endif.i.i:                            ; preds = %B348.loopexit.i196.
 
 B62.if.preheader.i.i.i:                           ; preds = %B1312.i.i
   %.2452.i.i = add nsw i64 %.135212881302.i.i, %.2450.i.i
-  %.2456.i.i = mul nsw i64 %.2452.i.i, %.109.i92.i
-  %.2458.i179.i = add nsw i64 %.2456.i.i, %.213211001120.i
-  %.2459.i180.i = shl nsw i64 %.2458.i179.i, 4
-  %.2460.i.i = add nsw i64 %.2383.i.i, %.2459.i180.i
+  %.2456.i.i = mul nsw i64 %.2452.i.i, %.109.i122.i
+  %.2458.i192.i = add nsw i64 %.2456.i.i, %.213211001120.i
+  %.2459.i193.i = shl nsw i64 %.2458.i192.i, 4
+  %.2460.i.i = add nsw i64 %.2383.i.i, %.2459.i193.i
   %.2464.i.i = inttoptr i64 %.2460.i.i to ptr
   %scevgep.i204.i.i = getelementptr i8, ptr %.2464.i.i, i64 8
   br label %B62.if.i.i.i
@@ -2294,19 +2306,19 @@ B62.if.i.i.i:                                     ; preds = %B62.if.i.i.i, %B62.
   %scevgep81.i.i = getelementptr i8, ptr %scevgep80.i.i, i64 -4096
   %.282.i.i.i = load double, ptr %scevgep81.i.i, align 8, !noalias !71
   %.314.i211.i.i = load double, ptr %scevgep80.i.i, align 8, !noalias !71
-  %.316.i.i181.i = fmul contract double %.314.i211.i.i, 0.000000e+00
-  %.317.i.i182.i = fsub contract double %.282.i.i.i, %.316.i.i181.i
-  %.318.i.i183.i = fadd contract double %.252.i208.i.i, %.317.i.i182.i
-  store double %.318.i.i183.i, ptr %scevgep2.i207.i.i, align 8, !noalias !71
-  %.380.i.i184.i = load double, ptr %lsr.iv.i205.i.i, align 8, !noalias !71
-  %.410.i.i.i = load double, ptr %scevgep80.i.i, align 8, !noalias !71
-  %.442.i.i185.i = load double, ptr %scevgep81.i.i, align 8, !noalias !71
-  %.444.i.i186.i = fmul contract double %.442.i.i185.i, 0.000000e+00
-  %.445.i.i187.i = fadd contract double %.410.i.i.i, %.444.i.i186.i
-  %.446.i.i.i = fadd contract double %.380.i.i184.i, %.445.i.i187.i
+  %.316.i.i.i = fmul contract double %.314.i211.i.i, 0.000000e+00
+  %.317.i.i194.i = fsub contract double %.282.i.i.i, %.316.i.i.i
+  %.318.i.i.i = fadd contract double %.252.i208.i.i, %.317.i.i194.i
+  store double %.318.i.i.i, ptr %scevgep2.i207.i.i, align 8, !noalias !71
+  %.380.i.i195.i = load double, ptr %lsr.iv.i205.i.i, align 8, !noalias !71
+  %.410.i.i196.i = load double, ptr %scevgep80.i.i, align 8, !noalias !71
+  %.442.i.i197.i = load double, ptr %scevgep81.i.i, align 8, !noalias !71
+  %.444.i.i198.i = fmul contract double %.442.i.i197.i, 0.000000e+00
+  %.445.i.i199.i = fadd contract double %.410.i.i196.i, %.444.i.i198.i
+  %.446.i.i.i = fadd contract double %.380.i.i195.i, %.445.i.i199.i
   store double %.446.i.i.i, ptr %lsr.iv.i205.i.i, align 8, !noalias !71
   %scevgep1.i212.i.i = getelementptr i8, ptr %lsr.iv.i205.i.i, i64 16
-  %exitcond.not.i213.i.i = icmp eq i64 %.13.i.i97.i, %.197.i206.i.i
+  %exitcond.not.i213.i.i = icmp eq i64 %.13.i.i127.i, %.197.i206.i.i
   br i1 %exitcond.not.i213.i.i, label %B1538.i.i, label %B62.if.i.i.i
 
 _ZN17bnserve_inference12modes_kernel7_source13_add_productsB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B634.loopexit.i.i, %_ZN17bnserve_inference13moving_kernel7_source8_respondB3v89B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
@@ -2316,41 +2328,41 @@ _ZN17bnserve_inference12modes_kernel7_source13_add_productsB4v129B86c8tJTIeFIjxB
   %.268.i.i = and i64 %.188.i.i, -2
   %.345.idx.i.i = shl i64 %.71.i.i, 13
   %.345.i.i = getelementptr i8, ptr %.289.i, i64 %.345.idx.i.i
-  %.413.i195.i = getelementptr i8, ptr %.345.i.i, i64 4096
+  %.413.i206.i = getelementptr i8, ptr %.345.i.i, i64 4096
   %.651938.not.i.i = icmp slt i64 %.71.i.i, 1
   br i1 %.651938.not.i.i, label %_ZN17bnserve_inference12modes_kernel7_source10_add_pairsB4v169B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B324.if.lr.ph.i.i
 
-B860.i249.i:                                      ; preds = %B606.endif.endif.endif.endif.endif.i.i
+B860.i261.i:                                      ; preds = %B606.endif.endif.endif.endif.endif.i.i
   %.660.i.i = add nsw i64 %.650895942.i.i, -1
-  %.664.i250.i = add nuw nsw i64 %.657905941.i.i, 1
-  %exitcond1049.not.i.i = icmp eq i64 %.664.i250.i, %.71.i.i
+  %.664.i262.i = add nuw nsw i64 %.657905941.i.i, 1
+  %exitcond1049.not.i.i = icmp eq i64 %.664.i262.i, %.71.i.i
   br i1 %exitcond1049.not.i.i, label %_ZN17bnserve_inference12modes_kernel7_source10_add_pairsB4v169B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B324.if.i.i
 
 B324.if.lr.ph.i.i:                                ; preds = %_ZN17bnserve_inference12modes_kernel7_source13_add_productsB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %.181.i196.i = load i64, ptr %sunkaddr88.i.i, align 8, !noalias !74
+  %.181.i207.i = load i64, ptr %sunkaddr88.i.i, align 8, !noalias !74
   %.196.1.i.i = lshr i64 %.188.i.i, 1
-  %.265.i197.i = mul i64 %.196.1.i.i, %.548.i93.i
+  %.265.i208.i = mul i64 %.196.1.i.i, %.548.i123.i
   %.262.i.i = load i64, ptr %sunkaddr134.i, align 8, !noalias !74
-  %.266.i.i = add nsw i64 %.262.i.i, %.265.i197.i
+  %.266.i.i = add nsw i64 %.262.i.i, %.265.i208.i
   %.102.i.i = load i64, ptr %.106.i, align 8, !noalias !74
   %.103.i.i = sub i64 0, %.102.i.i
   %.111.1.i.i = and i64 %.103.i.i, -8
   %.145.i.i = sub i64 0, %.111.1.i.i
-  %.1298.i.i = icmp eq i64 %.181.i196.i, 1
+  %.1298.i.i = icmp eq i64 %.181.i207.i, 1
   %.1308.i.i = shl nsw i64 %.145.i.i, 1
   %.1311.i.i = mul nuw nsw i64 %.196.1.i.i, %.232410861091.i
   %.1302.i.i = mul nsw i64 %.232410861091.i, %.145.i.i
-  %.1420.i199.i = select i1 %.1298.i.i, i64 0, i64 %.111.1.i.i
-  %"$phi606.2.2.2.i.i" = sub i64 %.213211001120.i, %.1420.i199.i
-  %scevgep.i.i201.i = getelementptr i8, ptr %.345.i.i, i64 56
+  %.1420.i210.i = select i1 %.1298.i.i, i64 0, i64 %.111.1.i.i
+  %"$phi606.2.2.2.i.i" = sub i64 %.213211001120.i, %.1420.i210.i
+  %scevgep.i.i212.i = getelementptr i8, ptr %.345.i.i, i64 56
   %scevgep.i104.i.i = getelementptr i8, ptr %.345.i.i, i64 4152
   %212 = inttoptr i64 %.266.i.i to ptr
   br label %B324.if.i.i
 
-B324.if.i.i:                                      ; preds = %B324.if.lr.ph.i.i, %B860.i249.i
-  %at.3.0943.i.i = phi i64 [ 0, %B324.if.lr.ph.i.i ], [ %.1807.i.i, %B860.i249.i ]
-  %.650895942.i.i = phi i64 [ %.71.i.i, %B324.if.lr.ph.i.i ], [ %.660.i.i, %B860.i249.i ]
-  %.657905941.i.i = phi i64 [ 0, %B324.if.lr.ph.i.i ], [ %.664.i250.i, %B860.i249.i ]
+B324.if.i.i:                                      ; preds = %B324.if.lr.ph.i.i, %B860.i261.i
+  %at.3.0943.i.i = phi i64 [ 0, %B324.if.lr.ph.i.i ], [ %.1807.i.i, %B860.i261.i ]
+  %.650895942.i.i = phi i64 [ %.71.i.i, %B324.if.lr.ph.i.i ], [ %.660.i.i, %B860.i261.i ]
+  %.657905941.i.i = phi i64 [ 0, %B324.if.lr.ph.i.i ], [ %.664.i262.i, %B860.i261.i ]
   %smax.i.i = tail call i64 @llvm.smax.i64(i64 %.650895942.i.i, i64 0)
   %.714.idx.i.i = shl i64 %.657905941.i.i, 13
   %.714.i.i = getelementptr i8, ptr %.289.i, i64 %.714.idx.i.i
@@ -2368,7 +2380,7 @@ B404.if.i.i:                                      ; preds = %B606.endif.endif.en
   %.1313.i.i = add nsw i64 %at.2.1892.i.i, %.1311.i.i
   %.1314.i.i = mul nsw i64 %.1308.i.i, %.1313.i.i
   %"$phi498.2.2.2.i.i" = select i1 %.1298.i.i, i64 %.1302.i.i, i64 %.1314.i.i
-  %.1351.i.i = load i64, ptr %sunkaddr.i202.i, align 8, !noalias !74
+  %.1351.i.i = load i64, ptr %sunkaddr.i213.i, align 8, !noalias !74
   %.1352.i.i = shl nsw i64 %"$phi498.2.2.2.i.i", 3
   %.1353.i.i = add nsw i64 %.1352.i.i, %.1351.i.i
   %.1356.i.i = inttoptr i64 %.1353.i.i to ptr
@@ -2383,82 +2395,82 @@ B266.i.i.i:                                       ; preds = %B404.if.i.i
   br i1 %135, label %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B318.if.i.i.i
 
 B68.if.i.i.i:                                     ; preds = %B16.i.i.i, %B68.if.i.i.i
-  %.222581583.i.i.i = phi i64 [ %.229.i.i251.i, %B68.if.i.i.i ], [ 0, %B16.i.i.i ]
-  %.229.i.i251.i = add nuw nsw i64 %.222581583.i.i.i, 1
+  %.222581583.i.i.i = phi i64 [ %.229.i.i263.i, %B68.if.i.i.i ], [ 0, %B16.i.i.i ]
+  %.229.i.i263.i = add nuw nsw i64 %.222581583.i.i.i, 1
   %214 = shl i64 %.222581583.i.i.i, 3
   %scevgep6.i2.i.i = getelementptr i8, ptr %.1441.i.i, i64 %214
   %.283.i.i.i = load double, ptr %scevgep6.i2.i.i, align 8, !noalias !77
   %scevgep5.i3.i.i = getelementptr i8, ptr %.714.i.i, i64 %214
   %.313.i.i.i = load double, ptr %scevgep5.i3.i.i, align 8, !noalias !77
   %scevgep4.i4.i.i = getelementptr i8, ptr %.1074.i.i, i64 %214
-  %.343.i.i252.i = load double, ptr %scevgep4.i4.i.i, align 8, !noalias !77
-  %.344.i.i.i = fmul contract double %.313.i.i.i, %.343.i.i252.i
+  %.343.i.i264.i = load double, ptr %scevgep4.i4.i.i, align 8, !noalias !77
+  %.344.i.i.i = fmul contract double %.313.i.i.i, %.343.i.i264.i
   %scevgep18.i.i.i = getelementptr i8, ptr %.782.i.i, i64 %214
-  %.374.i.i253.i = load double, ptr %scevgep18.i.i.i, align 8, !noalias !77
+  %.374.i.i.i = load double, ptr %scevgep18.i.i.i, align 8, !noalias !77
   %scevgep17.i.i.i = getelementptr i8, ptr %.1142.i.i, i64 %214
-  %.404.i.i.i = load double, ptr %scevgep17.i.i.i, align 8, !noalias !77
-  %.405.i.i.i = fmul contract double %.374.i.i253.i, %.404.i.i.i
-  %.406.i.i.i = fadd contract double %.344.i.i.i, %.405.i.i.i
-  %.407.i.i.i = fmul contract double %.283.i.i.i, %.406.i.i.i
+  %.404.i.i265.i = load double, ptr %scevgep17.i.i.i, align 8, !noalias !77
+  %.405.i.i.i = fmul contract double %.374.i.i.i, %.404.i.i265.i
+  %.406.i.i266.i = fadd contract double %.344.i.i.i, %.405.i.i.i
+  %.407.i.i267.i = fmul contract double %.283.i.i.i, %.406.i.i266.i
   %scevgep16.i.i.i = getelementptr i8, ptr %.345.i.i, i64 %214
-  store double %.407.i.i.i, ptr %scevgep16.i.i.i, align 8, !noalias !77
-  %.467.i.i254.i = load double, ptr %scevgep6.i2.i.i, align 8, !noalias !77
-  %.497.i.i.i = load double, ptr %scevgep5.i3.i.i, align 8, !noalias !77
-  %.528.i.i.i = fmul contract double %.404.i.i.i, %.497.i.i.i
-  %.588.i.i255.i = load double, ptr %scevgep4.i4.i.i, align 8, !noalias !77
-  %.589.i.i256.i = fmul contract double %.374.i.i253.i, %.588.i.i255.i
-  %.590.i.i257.i = fsub contract double %.528.i.i.i, %.589.i.i256.i
-  %.591.i.i258.i = fmul contract double %.467.i.i254.i, %.590.i.i257.i
-  %scevgep.i5.i.i = getelementptr i8, ptr %.413.i195.i, i64 %214
-  store double %.591.i.i258.i, ptr %scevgep.i5.i.i, align 8, !noalias !77
-  %exitcond587.not.i.i.i = icmp eq i64 %.13.i.i, %.229.i.i251.i
+  store double %.407.i.i267.i, ptr %scevgep16.i.i.i, align 8, !noalias !77
+  %.467.i.i.i = load double, ptr %scevgep6.i2.i.i, align 8, !noalias !77
+  %.497.i.i268.i = load double, ptr %scevgep5.i3.i.i, align 8, !noalias !77
+  %.528.i.i.i = fmul contract double %.404.i.i265.i, %.497.i.i268.i
+  %.588.i.i.i = load double, ptr %scevgep4.i4.i.i, align 8, !noalias !77
+  %.589.i.i.i = fmul contract double %.374.i.i.i, %.588.i.i.i
+  %.590.i.i.i = fsub contract double %.528.i.i.i, %.589.i.i.i
+  %.591.i.i.i = fmul contract double %.467.i.i.i, %.590.i.i.i
+  %scevgep.i5.i.i = getelementptr i8, ptr %.413.i206.i, i64 %214
+  store double %.591.i.i.i, ptr %scevgep.i5.i.i, align 8, !noalias !77
+  %exitcond587.not.i.i.i = icmp eq i64 %.13.i.i, %.229.i.i263.i
   br i1 %exitcond587.not.i.i.i, label %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B68.if.i.i.i
 
 B318.if.i.i.i:                                    ; preds = %B266.i.i.i, %B318.if.i.i.i
   %.760575577.i.i.i = phi i64 [ %.767.i.i.i, %B318.if.i.i.i ], [ 0, %B266.i.i.i ]
   %.767.i.i.i = add nuw nsw i64 %.760575577.i.i.i, 1
   %215 = shl i64 %.760575577.i.i.i, 3
-  %scevgep14.i.i203.i = getelementptr i8, ptr %.714.i.i, i64 %215
-  %.821.i.i204.i = load double, ptr %scevgep14.i.i203.i, align 8, !noalias !77
+  %scevgep14.i.i214.i = getelementptr i8, ptr %.714.i.i, i64 %215
+  %.821.i.i215.i = load double, ptr %scevgep14.i.i214.i, align 8, !noalias !77
   %scevgep13.i.i.i = getelementptr i8, ptr %.1074.i.i, i64 %215
   %.851.i.i.i = load double, ptr %scevgep13.i.i.i, align 8, !noalias !77
-  %.852.i.i.i = fmul contract double %.821.i.i204.i, %.851.i.i.i
+  %.852.i.i.i = fmul contract double %.821.i.i215.i, %.851.i.i.i
   %scevgep24.i.i.i = getelementptr i8, ptr %.782.i.i, i64 %215
   %.882.i.i.i = load double, ptr %scevgep24.i.i.i, align 8, !noalias !77
   %scevgep23.i.i.i = getelementptr i8, ptr %.1142.i.i, i64 %215
   %.912.i.i.i = load double, ptr %scevgep23.i.i.i, align 8, !noalias !77
-  %.913.i.i.i = fmul contract double %.882.i.i.i, %.912.i.i.i
-  %.914.i.i205.i = fadd contract double %.852.i.i.i, %.913.i.i.i
-  %.975.i.i.i = fmul contract double %.821.i.i204.i, %.912.i.i.i
+  %.913.i.i216.i = fmul contract double %.882.i.i.i, %.912.i.i.i
+  %.914.i.i217.i = fadd contract double %.852.i.i.i, %.913.i.i216.i
+  %.975.i.i.i = fmul contract double %.821.i.i215.i, %.912.i.i.i
   %.1036.i.i.i = fmul contract double %.851.i.i.i, %.882.i.i.i
   %.1037.i.i.i = fsub contract double %.975.i.i.i, %.1036.i.i.i
-  %scevgep22.i.i206.i = getelementptr i8, ptr %.1441.i.i, i64 %215
-  %.1067.i.i.i = load double, ptr %scevgep22.i.i206.i, align 8, !noalias !77
-  %.1068.i.i.i = fmul contract double %.1067.i.i.i, %.914.i.i205.i
-  %scevgep21.i.i207.i = getelementptr i8, ptr %.1509.i.i, i64 %215
-  %.1098.i.i.i = load double, ptr %scevgep21.i.i207.i, align 8, !noalias !77
+  %scevgep22.i.i218.i = getelementptr i8, ptr %.1441.i.i, i64 %215
+  %.1067.i.i.i = load double, ptr %scevgep22.i.i218.i, align 8, !noalias !77
+  %.1068.i.i.i = fmul contract double %.1067.i.i.i, %.914.i.i217.i
+  %scevgep21.i.i219.i = getelementptr i8, ptr %.1509.i.i, i64 %215
+  %.1098.i.i.i = load double, ptr %scevgep21.i.i219.i, align 8, !noalias !77
   %.1099.i.i.i = fmul contract double %.1098.i.i.i, %.1037.i.i.i
   %.1100.i.i.i = fsub contract double %.1068.i.i.i, %.1099.i.i.i
-  %scevgep20.i.i208.i = getelementptr i8, ptr %.345.i.i, i64 %215
-  store double %.1100.i.i.i, ptr %scevgep20.i.i208.i, align 8, !noalias !77
-  %.1160.i.i.i = load double, ptr %scevgep22.i.i206.i, align 8, !noalias !77
+  %scevgep20.i.i220.i = getelementptr i8, ptr %.345.i.i, i64 %215
+  store double %.1100.i.i.i, ptr %scevgep20.i.i220.i, align 8, !noalias !77
+  %.1160.i.i.i = load double, ptr %scevgep22.i.i218.i, align 8, !noalias !77
   %.1161.i.i.i = fmul contract double %.1037.i.i.i, %.1160.i.i.i
-  %.1191.i.i.i = load double, ptr %scevgep21.i.i207.i, align 8, !noalias !77
-  %.1192.i.i.i = fmul contract double %.914.i.i205.i, %.1191.i.i.i
+  %.1191.i.i.i = load double, ptr %scevgep21.i.i219.i, align 8, !noalias !77
+  %.1192.i.i.i = fmul contract double %.914.i.i217.i, %.1191.i.i.i
   %.1193.i.i.i = fadd contract double %.1161.i.i.i, %.1192.i.i.i
-  %scevgep19.i.i209.i = getelementptr i8, ptr %.413.i195.i, i64 %215
-  store double %.1193.i.i.i, ptr %scevgep19.i.i209.i, align 8, !noalias !77
+  %scevgep19.i.i221.i = getelementptr i8, ptr %.413.i206.i, i64 %215
+  store double %.1193.i.i.i, ptr %scevgep19.i.i221.i, align 8, !noalias !77
   %exitcond.not.i1.i.i = icmp eq i64 %.13.i.i, %.767.i.i.i
   br i1 %exitcond.not.i1.i.i, label %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B318.if.i.i.i
 
 _ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B318.if.i.i.i, %B68.if.i.i.i, %B266.i.i.i, %B16.i.i.i
   %.1638.i.i = icmp slt i64 %at.2.1892.i.i, 0
   %.1639.i.i = select i1 %.1638.i.i, i64 %.268.i.i, i64 0
-  %.idx.i210.i = shl i64 %at.2.1892.i.i, 4
-  %216 = getelementptr i8, ptr %212, i64 %.idx.i210.i
+  %.idx.i222.i = shl i64 %at.2.1892.i.i, 4
+  %216 = getelementptr i8, ptr %212, i64 %.idx.i222.i
   %.1653.i.i = getelementptr double, ptr %216, i64 %.1639.i.i
   %.1654.i.i = load double, ptr %.1653.i.i, align 8, !noalias !74
-  br i1 %140, label %B606.endif.endif.endif.endif.thread.i.i, label %B104.if.i.i211.i
+  br i1 %140, label %B606.endif.endif.endif.endif.thread.i.i, label %B104.if.i.i223.i
 
 B606.endif.endif.endif.endif.thread.i.i:          ; preds = %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   %.16833.i.i = fadd contract double %.1654.i.i, 0.000000e+00
@@ -2470,51 +2482,51 @@ B606.endif.endif.endif.endif.thread.i.i:          ; preds = %_ZN17bnserve_infere
   %.17467.i.i = load double, ptr %.17456.i.i, align 8, !noalias !74
   br label %B606.endif.endif.endif.endif.endif.i.i
 
-B104.if.i.i211.i:                                 ; preds = %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B104.if.i.i211.i
-  %lsr.iv9.i.i212.i = phi i64 [ %lsr.iv.next.i.i246.i, %B104.if.i.i211.i ], [ %.60.1.i.i.i, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %lsr.iv.i.i213.i = phi ptr [ %scevgep1.i.i245.i, %B104.if.i.i211.i ], [ %scevgep.i.i201.i, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %s7.2.0168.i.i214.i = phi double [ %.489.i.i244.i, %B104.if.i.i211.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %s6.2.0167.i.i215.i = phi double [ %.454.i.i242.i, %B104.if.i.i211.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %s5.2.0166.i.i216.i = phi double [ %.419.i.i239.i, %B104.if.i.i211.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %s4.2.0165.i.i217.i = phi double [ %.384.i.i236.i, %B104.if.i.i211.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %s3.2.0164.i.i218.i = phi double [ %.349.i.i233.i, %B104.if.i.i211.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %s2.2.0163.i.i219.i = phi double [ %.314.i.i230.i, %B104.if.i.i211.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %s1.2.0162.i.i220.i = phi double [ %.279.i.i227.i, %B104.if.i.i211.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %s0.2.0161.i.i221.i = phi double [ %.244.i.i224.i, %B104.if.i.i211.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %scevgep2.i.i222.i = getelementptr i8, ptr %lsr.iv.i.i213.i, i64 -56
-  %.242.i.i223.i = load double, ptr %scevgep2.i.i222.i, align 8, !noalias !80
-  %.244.i.i224.i = fadd contract double %s0.2.0161.i.i221.i, %.242.i.i223.i
-  %scevgep3.i.i225.i = getelementptr i8, ptr %lsr.iv.i.i213.i, i64 -48
-  %.277.i.i226.i = load double, ptr %scevgep3.i.i225.i, align 8, !noalias !80
-  %.279.i.i227.i = fadd contract double %s1.2.0162.i.i220.i, %.277.i.i226.i
-  %scevgep4.i.i228.i = getelementptr i8, ptr %lsr.iv.i.i213.i, i64 -40
-  %.312.i.i229.i = load double, ptr %scevgep4.i.i228.i, align 8, !noalias !80
-  %.314.i.i230.i = fadd contract double %s2.2.0163.i.i219.i, %.312.i.i229.i
-  %scevgep5.i.i231.i = getelementptr i8, ptr %lsr.iv.i.i213.i, i64 -32
-  %.347.i.i232.i = load double, ptr %scevgep5.i.i231.i, align 8, !noalias !80
-  %.349.i.i233.i = fadd contract double %s3.2.0164.i.i218.i, %.347.i.i232.i
-  %scevgep6.i.i234.i = getelementptr i8, ptr %lsr.iv.i.i213.i, i64 -24
-  %.382.i.i235.i = load double, ptr %scevgep6.i.i234.i, align 8, !noalias !80
-  %.384.i.i236.i = fadd contract double %s4.2.0165.i.i217.i, %.382.i.i235.i
-  %scevgep7.i.i237.i = getelementptr i8, ptr %lsr.iv.i.i213.i, i64 -16
-  %.417.i.i238.i = load double, ptr %scevgep7.i.i237.i, align 8, !noalias !80
-  %.419.i.i239.i = fadd contract double %s5.2.0166.i.i216.i, %.417.i.i238.i
-  %scevgep8.i.i240.i = getelementptr i8, ptr %lsr.iv.i.i213.i, i64 -8
-  %.452.i.i241.i = load double, ptr %scevgep8.i.i240.i, align 8, !noalias !80
-  %.454.i.i242.i = fadd contract double %s6.2.0167.i.i215.i, %.452.i.i241.i
-  %.487.i.i243.i = load double, ptr %lsr.iv.i.i213.i, align 8, !noalias !80
-  %.489.i.i244.i = fadd contract double %s7.2.0168.i.i214.i, %.487.i.i243.i
-  %scevgep1.i.i245.i = getelementptr i8, ptr %lsr.iv.i.i213.i, i64 64
-  %lsr.iv.next.i.i246.i = add nsw i64 %lsr.iv9.i.i212.i, -1
-  %exitcond.not.i.i247.i = icmp eq i64 %lsr.iv.next.i.i246.i, 0
-  br i1 %exitcond.not.i.i247.i, label %B104.if.i105.preheader.i.i, label %B104.if.i.i211.i
+B104.if.i.i223.i:                                 ; preds = %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B104.if.i.i223.i
+  %lsr.iv9.i.i224.i = phi i64 [ %lsr.iv.next.i.i258.i, %B104.if.i.i223.i ], [ %.60.1.i.i.i, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %lsr.iv.i.i225.i = phi ptr [ %scevgep1.i.i257.i, %B104.if.i.i223.i ], [ %scevgep.i.i212.i, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %s7.2.0168.i.i226.i = phi double [ %.489.i.i256.i, %B104.if.i.i223.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %s6.2.0167.i.i227.i = phi double [ %.454.i.i254.i, %B104.if.i.i223.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %s5.2.0166.i.i228.i = phi double [ %.419.i.i251.i, %B104.if.i.i223.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %s4.2.0165.i.i229.i = phi double [ %.384.i.i248.i, %B104.if.i.i223.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %s3.2.0164.i.i230.i = phi double [ %.349.i.i245.i, %B104.if.i.i223.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %s2.2.0163.i.i231.i = phi double [ %.314.i.i242.i, %B104.if.i.i223.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %s1.2.0162.i.i232.i = phi double [ %.279.i.i239.i, %B104.if.i.i223.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %s0.2.0161.i.i233.i = phi double [ %.244.i.i236.i, %B104.if.i.i223.i ], [ 0.000000e+00, %_ZN17bnserve_inference12modes_kernel7_source5_pairB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %scevgep2.i.i234.i = getelementptr i8, ptr %lsr.iv.i.i225.i, i64 -56
+  %.242.i.i235.i = load double, ptr %scevgep2.i.i234.i, align 8, !noalias !80
+  %.244.i.i236.i = fadd contract double %s0.2.0161.i.i233.i, %.242.i.i235.i
+  %scevgep3.i.i237.i = getelementptr i8, ptr %lsr.iv.i.i225.i, i64 -48
+  %.277.i.i238.i = load double, ptr %scevgep3.i.i237.i, align 8, !noalias !80
+  %.279.i.i239.i = fadd contract double %s1.2.0162.i.i232.i, %.277.i.i238.i
+  %scevgep4.i.i240.i = getelementptr i8, ptr %lsr.iv.i.i225.i, i64 -40
+  %.312.i.i241.i = load double, ptr %scevgep4.i.i240.i, align 8, !noalias !80
+  %.314.i.i242.i = fadd contract double %s2.2.0163.i.i231.i, %.312.i.i241.i
+  %scevgep5.i.i243.i = getelementptr i8, ptr %lsr.iv.i.i225.i, i64 -32
+  %.347.i.i244.i = load double, ptr %scevgep5.i.i243.i, align 8, !noalias !80
+  %.349.i.i245.i = fadd contract double %s3.2.0164.i.i230.i, %.347.i.i244.i
+  %scevgep6.i.i246.i = getelementptr i8, ptr %lsr.iv.i.i225.i, i64 -24
+  %.382.i.i247.i = load double, ptr %scevgep6.i.i246.i, align 8, !noalias !80
+  %.384.i.i248.i = fadd contract double %s4.2.0165.i.i229.i, %.382.i.i247.i
+  %scevgep7.i.i249.i = getelementptr i8, ptr %lsr.iv.i.i225.i, i64 -16
+  %.417.i.i250.i = load double, ptr %scevgep7.i.i249.i, align 8, !noalias !80
+  %.419.i.i251.i = fadd contract double %s5.2.0166.i.i228.i, %.417.i.i250.i
+  %scevgep8.i.i252.i = getelementptr i8, ptr %lsr.iv.i.i225.i, i64 -8
+  %.452.i.i253.i = load double, ptr %scevgep8.i.i252.i, align 8, !noalias !80
+  %.454.i.i254.i = fadd contract double %s6.2.0167.i.i227.i, %.452.i.i253.i
+  %.487.i.i255.i = load double, ptr %lsr.iv.i.i225.i, align 8, !noalias !80
+  %.489.i.i256.i = fadd contract double %s7.2.0168.i.i226.i, %.487.i.i255.i
+  %scevgep1.i.i257.i = getelementptr i8, ptr %lsr.iv.i.i225.i, i64 64
+  %lsr.iv.next.i.i258.i = add nsw i64 %lsr.iv9.i.i224.i, -1
+  %exitcond.not.i.i259.i = icmp eq i64 %lsr.iv.next.i.i258.i, 0
+  br i1 %exitcond.not.i.i259.i, label %B104.if.i105.preheader.i.i, label %B104.if.i.i223.i
 
-B104.if.i105.preheader.i.i:                       ; preds = %B104.if.i.i211.i
-  %218 = fadd contract double %.244.i.i224.i, %.279.i.i227.i
-  %219 = fadd contract double %.314.i.i230.i, %.349.i.i233.i
+B104.if.i105.preheader.i.i:                       ; preds = %B104.if.i.i223.i
+  %218 = fadd contract double %.244.i.i236.i, %.279.i.i239.i
+  %219 = fadd contract double %.314.i.i242.i, %.349.i.i245.i
   %220 = fadd contract double %218, %219
-  %221 = fadd contract double %.384.i.i236.i, %.419.i.i239.i
-  %222 = fadd contract double %.454.i.i242.i, %.489.i.i244.i
+  %221 = fadd contract double %.384.i.i248.i, %.419.i.i251.i
+  %222 = fadd contract double %.454.i.i254.i, %.489.i.i256.i
   %223 = fadd contract double %221, %222
   %224 = fadd contract double %220, %223
   %.1683.i.i = fadd contract double %.1654.i.i, %224
@@ -2584,10 +2596,10 @@ B606.endif.endif.endif.endif.endif.i.i:           ; preds = %B348.loopexit.i142.
   %sunkaddr242.i.i = getelementptr i8, ptr %sunkaddr241.i.i, i64 8
   store double %.1775.i.i, ptr %sunkaddr242.i.i, align 8, !noalias !74
   %.1807.i.i = add i64 %at.2.1892.i.i, 1
-  %exitcond.not.i248.i = icmp eq i64 %.1807.i.i, %213
-  br i1 %exitcond.not.i248.i, label %B860.i249.i, label %B404.if.i.i
+  %exitcond.not.i260.i = icmp eq i64 %.1807.i.i, %213
+  br i1 %exitcond.not.i260.i, label %B860.i261.i, label %B404.if.i.i
 
-_ZN17bnserve_inference12modes_kernel7_source10_add_pairsB4v169B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B860.i249.i, %_ZN17bnserve_inference12modes_kernel7_source13_add_productsB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i
+_ZN17bnserve_inference12modes_kernel7_source10_add_pairsB4v169B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B860.i261.i, %_ZN17bnserve_inference12modes_kernel7_source13_add_productsB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %scevgep.i = getelementptr i8, ptr %lsr.iv.i, i64 200
   %exitcond.not.i = icmp eq i64 %.47.i, %.2331.i
   br i1 %exitcond.not.i, label %B1120.loopexit.i, label %B1242.if.i
@@ -2630,7 +2642,7 @@ entry:
   %.421 = getelementptr i8, ptr %arg.k.4, i64 128
   %.422 = load double, ptr %.421, align 8
   %.524416.not = icmp slt i64 %arg.c.5.0, 1
-  br i1 %.524416.not, label %B2475, label %B288.if.lr.ph
+  br i1 %.524416.not, label %B2487, label %B288.if.lr.ph
 
 B288.if.lr.ph:                                    ; preds = %entry
   %3 = getelementptr i8, ptr %0, i64 16
@@ -2640,7 +2652,7 @@ B288.if.lr.ph:                                    ; preds = %entry
   %.735 = fmul contract double %.422, %.234
   br label %B288.if
 
-B2349:                                            ; preds = %B288.if
+B2361:                                            ; preds = %B288.if
   %.795 = tail call contract double @llvm.fma.f64(double %.783.fr, double 0x3FE45F306DC9C883, double 0x4338000000000000)
   %.844 = bitcast double %.795 to i64
   %.851 = shl i64 %.844, 62
@@ -2653,7 +2665,7 @@ B2349:                                            ; preds = %B288.if
   %.827 = fmul contract double %.826, %.826
   br i1 %4, label %select.true.sink, label %select.false.sink
 
-select.true.sink:                                 ; preds = %B2349
+select.true.sink:                                 ; preds = %B2361
   %.828 = tail call contract double @llvm.fma.f64(double %.827, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
   %.829 = tail call contract double @llvm.fma.f64(double %.827, double %.828, double 0xBE5AE64567F544E4)
   %.830 = tail call contract double @llvm.fma.f64(double %.827, double %.829, double 0x3EC71DE3A556C734)
@@ -2664,7 +2676,7 @@ select.true.sink:                                 ; preds = %B2349
   %.835 = tail call contract double @llvm.fma.f64(double %.834, double %.833, double %.826)
   br label %select.end
 
-select.false.sink:                                ; preds = %B2349
+select.false.sink:                                ; preds = %B2361
   %.836 = tail call contract double @llvm.fma.f64(double %.827, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
   %.837 = tail call contract double @llvm.fma.f64(double %.827, double %.836, double 0x3E21EED8EFF8D898)
   %.838 = tail call contract double @llvm.fma.f64(double %.827, double %.837, double 0xBE927E4FB7789F5C)
@@ -2681,18 +2693,18 @@ select.end:                                       ; preds = %select.false.sink, 
   %.857 = xor i64 %.852, %.856
   %.858 = bitcast i64 %.857 to double
   %.911 = fdiv contract double %.858, %.783.fr
-  br label %B2365
+  br label %B2377
 
-B2365:                                            ; preds = %B1024.endif, %select.end
+B2377:                                            ; preds = %B1024.endif, %select.end
   %_sinc_v118__vphi96_0.2.1 = phi double [ %.899, %B1024.endif ], [ %.911, %select.end ]
   %.927 = fadd contract double %.736, 1.000000e+00
   %.929 = fmul contract double %.775, %.927
   %.929.fr = freeze double %.929
   %.935 = fmul contract double %.929.fr, %.929.fr
   %.1032 = fcmp contract olt double %.935, 0x3EB0C6F7A0B5ED8D
-  br i1 %.1032, label %B2373.endif, label %B2451
+  br i1 %.1032, label %B2385.endif, label %B2463
 
-B2451:                                            ; preds = %B2365
+B2463:                                            ; preds = %B2377
   %.941 = tail call contract double @llvm.fma.f64(double %.929.fr, double 0x3FE45F306DC9C883, double 0x4338000000000000)
   %.990 = bitcast double %.941 to i64
   %.997 = shl i64 %.990, 62
@@ -2705,7 +2717,7 @@ B2451:                                            ; preds = %B2365
   %.973 = fmul contract double %.972, %.972
   br i1 %5, label %select.true.sink11, label %select.false.sink12
 
-select.true.sink11:                               ; preds = %B2451
+select.true.sink11:                               ; preds = %B2463
   %.974 = tail call contract double @llvm.fma.f64(double %.973, double 0xBD6AE7F3E733B81F, double 0x3DE6124613A86D09)
   %.975 = tail call contract double @llvm.fma.f64(double %.973, double %.974, double 0xBE5AE64567F544E4)
   %.976 = tail call contract double @llvm.fma.f64(double %.973, double %.975, double 0x3EC71DE3A556C734)
@@ -2716,7 +2728,7 @@ select.true.sink11:                               ; preds = %B2451
   %.981 = tail call contract double @llvm.fma.f64(double %.980, double %.979, double %.972)
   br label %select.end10
 
-select.false.sink12:                              ; preds = %B2451
+select.false.sink12:                              ; preds = %B2463
   %.982 = tail call contract double @llvm.fma.f64(double %.973, double 0x3D2AE7F3E733B81F, double 0xBDA93974A8C07C9D)
   %.983 = tail call contract double @llvm.fma.f64(double %.973, double %.982, double 0x3E21EED8EFF8D898)
   %.984 = tail call contract double @llvm.fma.f64(double %.973, double %.983, double 0xBE927E4FB7789F5C)
@@ -2733,10 +2745,10 @@ select.end10:                                     ; preds = %select.false.sink12
   %.1003 = xor i64 %.998, %.1002
   %.1004 = bitcast i64 %.1003 to double
   %.1057 = fdiv contract double %.1004, %.929.fr
-  br label %B2467
+  br label %B2479
 
-B2467:                                            ; preds = %B2373.endif, %select.end10
-  %_sinc_v120__vphi96_0.2.1 = phi double [ %.1045, %B2373.endif ], [ %.1057, %select.end10 ]
+B2479:                                            ; preds = %B2385.endif, %select.end10
+  %_sinc_v120__vphi96_0.2.1 = phi double [ %.1045, %B2385.endif ], [ %.1057, %select.end10 ]
   %.1073 = tail call contract double @llvm.fma.f64(double %.775, double 0x3FE45F306DC9C883, double 0x4338000000000000)
   %.1074 = fadd contract double %.1073, 0xC338000000000000
   %.1089 = tail call contract double @llvm.fma.f64(double %.1074, double 0xBFF921FB54442D18, double %.775)
@@ -2855,14 +2867,14 @@ B2467:                                            ; preds = %B2373.endif, %selec
   %.1506 = fadd contract double %.1502, %.1505
   store double %.1506, ptr %scevgep9, align 8
   %exitcond.not = icmp eq i64 %arg.c.5.0, %.537
-  br i1 %exitcond.not, label %B2475, label %B288.if
+  br i1 %exitcond.not, label %B2487, label %B288.if
 
-B2475:                                            ; preds = %B2467, %entry
+B2487:                                            ; preds = %B2479, %entry
   store ptr null, ptr %retptr, align 8
   ret void
 
-B288.if:                                          ; preds = %B2467, %B288.if.lr.ph
-  %.530415417 = phi i64 [ 0, %B288.if.lr.ph ], [ %.537, %B2467 ]
+B288.if:                                          ; preds = %B2479, %B288.if.lr.ph
+  %.530415417 = phi i64 [ 0, %B288.if.lr.ph ], [ %.537, %B2479 ]
   %.537 = add nuw nsw i64 %.530415417, 1
   %12 = shl i64 %.530415417, 3
   %scevgep8 = getelementptr i8, ptr %arg.c.4, i64 %12
@@ -2901,18 +2913,21 @@ B288.if:                                          ; preds = %B2467, %B288.if.lr.
   %.783.fr = freeze double %.783
   %.789 = fmul contract double %.783.fr, %.783.fr
   %.886 = fcmp contract olt double %.789, 0x3EB0C6F7A0B5ED8D
-  br i1 %.886, label %B1024.endif, label %B2349
+  br i1 %.886, label %B1024.endif, label %B2361
 
 B1024.endif:                                      ; preds = %B288.if
   %.896 = fdiv contract double %.789, 6.000000e+00
   %.899 = fsub contract double 1.000000e+00, %.896
-  br label %B2365
+  br label %B2377
 
-B2373.endif:                                      ; preds = %B2365
+B2385.endif:                                      ; preds = %B2377
   %.1042 = fdiv contract double %.935, 6.000000e+00
   %.1045 = fsub contract double 1.000000e+00, %.1042
-  br label %B2467
+  br label %B2479
 }
+
+; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
+declare double @llvm.sqrt.f64(double) #2
 
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind willreturn memory(none)
 declare double @sqrt(double) local_unnamed_addr #4
@@ -2937,8 +2952,8 @@ attributes #5 = { nocallback nofree nosync nounwind willreturn memory(argmem: re
 !4 = distinct !{!4, !5, !"_ZN17bnserve_inference13moving_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !5 = distinct !{!5, !"_ZN17bnserve_inference13moving_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !6 = !{!7, !4, !1}
-!7 = distinct !{!7, !8, !"_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!8 = distinct !{!8, !"_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!7 = distinct !{!7, !8, !"_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!8 = distinct !{!8, !"_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v21B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !9 = !{!10, !1}
 !10 = distinct !{!10, !11, !"_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v40B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
 !11 = distinct !{!11, !"_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v40B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE"}
