@@ -39,8 +39,8 @@ class Place(NamedTuple):
 
 
 class Mode(NamedTuple):
-    """Strain (1/Hz) as a function of frequencies (Hz), what it counts in plus and cross, and how many seconds it lasts from
-    a frequency, at most."""
+    """Strain (1/Hz) as a function of frequencies (Hz), what it counts in plus and cross, and how many seconds it lasts
+    from a frequency, at most."""
 
     strain: Callable[[Floats], Complex]
     plus: complex
@@ -49,8 +49,8 @@ class Mode(NamedTuple):
 
 
 def signal_over_mode(detector: Any, place: Place, mode: Mode, low: float, high: float) -> tuple[Floats, Complex]:
-    """From ``low`` to ``high`` (Hz), about an octave: frequencies, and there the signal in a detector of LAL, whose time
-    zero is the trigger, over the mode."""
+    """From ``low`` to ``high`` (Hz), about an octave: frequencies, and there the signal in a detector of LAL, whose
+    time zero is the trigger, over the mode."""
     first, last = low / _SHOULDER, high * _SHOULDER
     duration = 2.0 ** np.ceil(np.log2(1.2 * mode.seconds(first) + 2.0 * _AFTER))
     rate = 2.0 ** np.ceil(np.log2(2.2 * (last - first)))

@@ -16,8 +16,8 @@ from bnserve_inference._fitting import Fitting, Weighted, fitted_bins, fitted_ca
 from bnserve_inference._modes import QUADRUPOLE, chosen_modes, known_modes, orders, quadrupole_options
 from bnserve_inference._passing import reference_times
 from bnserve_inference._rows import chirp_mass
-from bnserve_inference._standing import chosen_response
 from bnserve_inference._search import Box, middle, refuse_missing_ranges, usual_masses
+from bnserve_inference._standing import chosen_response
 from bnserve_inference._units import in_units
 from bnserve_inference._weights import time_table
 from bnserve_protocol import (

@@ -40,7 +40,7 @@ def time_delay(detector: Detector, right_ascension: float, declination: float, s
 
 
 def arm_transfer(arm_length: float, cosine: Floats, frequencies: Floats) -> Complex:
-    """What an arm makes of a wave, relative to one that is short, and to the middle of the light's way: complex ``(M,)``.
+    """What an arm makes of a wave, relative to one that is short and the middle of the light's way: complex ``(M,)``.
 
         D = [exp(i pi b (1 - mu)) sinc(b (1 + mu)) + exp(-i pi b (1 + mu)) sinc(b (1 - mu))] / 2,    b = f L / c
 

@@ -126,6 +126,6 @@ PLANNED: dict[str, Geometry] = {
     "ETML": _bisected(*_MEUSE_RHINE, 90.0, 15000.0),
 }
 """Cosmic Explorer in Idaho and New Mexico, and the Einstein Telescope as a triangle of 10 km or as two L of 15 km whose
-arms are 45 degrees apart, in Sardinia and the Meuse-Rhine Euroregion. No site is decided: these are those of the studies
+arms are 45 degrees apart, in Sardinia and the Meuse-Rhine Euroregion. No site is decided: these are those of studies
 (Borhanian and Sathyaprakash, arXiv:2202.11048; Branchesi et al., J. Cosmol. Astropart. Phys. 07 (2023) 068), as the
 program gwfast has them (Iacovelli et al., Astrophys. J. Suppl. 263, 2 (2022))."""

@@ -33,8 +33,8 @@ def static_error(fitting: Fitting, weighted: Weighted) -> float:
     """A bound of the error of ln L, within 25 of its maximum, of detectors that stand.
 
     With h the signal in detectors that move, s that in those that stand, and r = d - h what is left of the data,
-    ln L(s) - ln L(h) = <r|s - h> - |s - h|^2 / 2. Where ln L is 25 below its maximum, |r| along signals is sqrt(50). The
-    worst place of many in the sky counts, for a signal as loud as the best that was found, of the leading order.
+    ln L(s) - ln L(h) = <r|s - h> - |s - h|^2 / 2. Where ln L is 25 below its maximum, |r| along signals is sqrt(50).
+    The worst place of many in the sky counts, for a signal as loud as the best that was found, of the leading order.
     """
     basis = weighted.basis
     assert isinstance(basis, FiducialBasis)

@@ -222,8 +222,8 @@ def likelihood_samples(analysis: Analysis) -> int:
     """Work of one log-likelihood in samples, the unit of :attr:`Limits.max_samples`.
 
     A sample is one frequency of one mode of one waveform. In every detector each node costs about as much again, and a
-    sum over coalescence times as much as its times in every detector; a response that moves costs as much again. An analysis that does not name its modes counts
-    as of one.
+    sum over coalescence times as much as its times in every detector; a response that moves costs as much again. An
+    analysis that does not name its modes counts as of one.
     """
     return analysis.samples
 

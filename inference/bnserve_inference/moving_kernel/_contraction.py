@@ -63,8 +63,8 @@ class MovingContraction(ModesContraction):
         Parameters
         ----------
         passing
-            When each group passes each frequency, ``(N, G, M)`` in seconds from the coalescence; None where the analysis
-            has a waveform to compare with, or where detectors do not move.
+            When each group passes each frequency, ``(N, G, M)`` in seconds from the coalescence; None where the
+            analysis has a waveform to compare with, or where detectors do not move.
         """
         groups = self._groups
         if passing is not None or not self._compares:

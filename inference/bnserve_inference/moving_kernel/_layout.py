@@ -51,13 +51,13 @@ class Argument(IntEnum):
     """float64 ``(2, padded J)``: seconds for each radian by which the ratio to it turns from the node before to this
     one, and from this one to the next."""
     MOVES = auto()
-    """1 where detectors move, and are where they are as a signal arrives at them; 0 where they stand as at the coalescence
-    at the centre of the Earth."""
+    """1 where detectors move, and are where they are as a signal arrives at them; 0 where they stand as at the
+    coalescence at the centre of the Earth."""
     PASSING_STRIDE = auto()
     """Numbers from the times of a row to those of the next. 0: they are found for each row by comparison."""
     PASSING = auto()
-    """float64 ``(ROWS, G, padded J)``: when each group passes the nodes, in seconds from the coalescence; of one row, and
-    of one group more, where they are found."""
+    """float64 ``(ROWS, G, padded J)``: when each group passes the nodes, in seconds from the coalescence; of one row,
+    and of one group more, where they are found."""
 
 
 ARGUMENTS = len(modes_kernel.Argument) + len(Argument)

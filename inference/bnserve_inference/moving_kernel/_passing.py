@@ -53,8 +53,8 @@ def _turns(
 ) -> None:  # fmt: skip
     """Radians by which the ratio of a group's modes to the reference turns from each node to the next.
 
-    The squares of what turns are summed, so that louder modes count more, and an amplitude that changes sign is no turn.
-    ``real`` is room for real parts.
+    The squares of what turns are summed, so that louder modes count more, and an amplitude that changes sign is no
+    turn. ``real`` is room for real parts.
     """
     for j in range(points):
         real[j] = 0.0

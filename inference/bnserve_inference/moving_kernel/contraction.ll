@@ -1,4 +1,4 @@
-; sources: a769f698717d89b3178f52109b87e686eb8d5dde3584babefb3da931a3537014
+; sources: 8120c63a46a61ad258ab16842c1d5d28e91ebde2d83ea65e17a1c8d8279767ef
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
