@@ -74,10 +74,10 @@ def detector_strain(
     else:
         strain = model.predict_batch(frequencies, batch.waveform_batch(), options=options)
         arrival = parameters.coalescence_time + time_delay(detector, *place[:2], sidereal)
-        f_plus: Any
-        f_plus, f_cross = antenna_pattern(detector, *place, sidereal)
+        pair: tuple[Any, Any] = antenna_pattern(detector, *place, sidereal)
         if detector.arms is not None:
-            f_plus, f_cross = patterns(detector, place, np.full(len(frequencies), sidereal), frequencies)
+            pair = patterns(detector, place, np.full(len(frequencies), sidereal), frequencies)
+        f_plus, f_cross = pair
         signal = (f_plus * strain.plus[0] + f_cross * strain.cross[0]) * np.exp(-2j * np.pi * frequencies * arrival)
     if calibration is None:
         return signal

@@ -17,10 +17,10 @@ class Coefficient(IntEnum):
 
     DELAY = 0
     """At theta = 0, seconds."""
-    PLUS = auto()
+    PLUS = 1
     """Of 1, cos theta, sin theta, cos 2 theta and sin 2 theta in F+."""
-    CROSS = PLUS + 5
-    RECEDING = CROSS + 5
+    CROSS = 6
+    RECEDING = 11
     """Of 1 - cos theta in the delay, seconds."""
     SIDEWAYS = auto()
     """Of sin theta."""
@@ -29,13 +29,13 @@ class Coefficient(IntEnum):
     SIN_POLARIZATION = auto()
     COS_DECLINATION = auto()
     SIN_DECLINATION = auto()
-    X_ARM = auto()
+    X_ARM = 17
     """The first arm: its unit vector along the axes that the source's hour angle gives the equator (towards the source,
     and at a right angle to it) and along the Earth's axis; and its length in light seconds, zero if it is short."""
-    Y_ARM = X_ARM + 4
+    Y_ARM = 21
 
 
-COEFFICIENTS = Coefficient.Y_ARM + 4
+COEFFICIENTS = 25
 
 
 class Argument(IntEnum):

@@ -1,4 +1,4 @@
-; sources: 8120c63a46a61ad258ab16842c1d5d28e91ebde2d83ea65e17a1c8d8279767ef
+; sources: 4f22b944741a21e189194f73e4964e06c35726e13ab2d2c6cf9cadecf6b56761
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
