@@ -56,6 +56,7 @@ NAMED_BY_OTHERS = {
     "client/bnserve_client/compat/mlgw_bns.py": "is the module mlgw_bns of other programs",
     "inference/bnserve_inference/kernel/build.py": "run with `python -m`",
     "inference/bnserve_inference/modes_kernel/build.py": "run with `python -m`",
+    "inference/bnserve_inference/moving_kernel/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/kernel/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/precession/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/joblib_workers.py": "used by inference",
