@@ -75,11 +75,6 @@ def is_single(description: ModelDescription) -> bool:
     return modes_of(description, None) == QUADRUPOLE
 
 
-def has_one_order(modes: Iterable[Mode]) -> bool:
-    """Whether all of them have m = 2, so that the orbital phase is one phase of the wave."""
-    return all(order == 2 for _, order in modes)
-
-
 def by_modes(
     model: WaveformModel,
     frequencies: Floats,

@@ -6,7 +6,9 @@ The model is synthetic; those modes of the shipped one that IMRPhenomXHM has, to
 import bilby
 import msgspec
 import numpy as np
+import pandas as pd
 import pytest
+from bilby.core.prior import PowerLaw
 
 from bnserve_client import Model
 from bnserve_client._harmonics import mode_factors
@@ -167,12 +169,32 @@ def test_the_phase_of_all_modes_is_integrated_and_drawn(ours):
     assert min(values[np.searchsorted(phases, phase) - 1] for phase in drawn) > values.max() - 15.0
 
 
-def test_bilbys_rules_for_time_and_distance_beside_the_phase_are_for_one_order(ours):
-    data = network(generator(binary_neutron_star, **ours))
-    with pytest.raises(InvalidRequest, match=r"integrate over the phase or over the others, or state 'mode_array'"):
+@pytest.mark.parametrize("more", [{}, {"mode_array": [[2, 2]]}, {"mode_array": [[2, 2], [4, 4]]}])
+def test_time_phase_and_distance_of_any_modes_are_drawn_together(ours, more):
+    """The likelihood at what was drawn is that which was drawn: names, zero points and circles are the same."""
+    arguments = ours | {"minimum_frequency": 40.0} | more
+    data = network(generator(binary_neutron_star, **arguments))
+    sampled, integrated = (
         ServiceLikelihood.from_bilby(
-            data, priors(), waveform_arguments=ours, phase_marginalization=True, time_marginalization=True
+            data, priors(luminosity_distance=PowerLaw(2.0, 20.0, 100.0)), waveform_arguments=arguments,
+            phase_marginalization=all_of_them, time_marginalization=all_of_them, distance_marginalization=all_of_them,
         )
+        for all_of_them in (False, True)
+    )  # fmt: skip
+    rows = pd.DataFrame([SIGNAL] * 20)
+    bilby.core.utils.random.seed(3)
+    drawn = integrated.reconstructed(rows)
+    assert set(drawn) == {"geocent_time", "phase", "luminosity_distance"}
+    values = sampled.log_likelihood_ratios(rows.assign(**drawn))
+    bilby.core.utils.random.seed(3)
+    numbers = bilby.core.utils.random.rng.random((20, 4))[:, :3].copy()
+    columns = integrated._columns(rows)
+    expected = integrated.likelihood.draw_marginalised(columns, seed=numbers).log_likelihood
+    np.testing.assert_allclose(values, expected, atol=0.05)  # of 0.2 us in a GPS time
+    assert values.min() > values.max() - 20.0
+    one = integrated.generate_posterior_sample_from_marginalized_likelihood(SIGNAL)
+    assert abs(one["luminosity_distance"] - SIGNAL["luminosity_distance"]) < 15.0
+    assert np.ptp(drawn["phase"]) > np.pi  # both halves of a turn, or all that is possible where modes are odd
 
 
 @pytest.mark.parametrize("fiducial", [None, SIGNAL], ids=["full grid", "relative binning"])

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._chosen import local_part
-from bnserve_client._lal_meaning import has_one_order, is_single, modes_of
+from bnserve_client._lal_meaning import is_single, modes_of
 from bnserve_client._lal_precession import MOST_IN_PLANE
 from bnserve_client.bilby._arguments import Choice, stated
 from bnserve_client.bilby._calibration import read_calibration
@@ -50,12 +50,6 @@ def build_analysis(
     _refuse_precession(priors)
     parts = local_part("analyses", "Building an analysis of bilby's data")
     modes = modes_of(model.description, choice.modes)
-    if marginalised.phase and (marginalised.time or marginalised.distance) and not has_one_order(modes):
-        raise InvalidRequest(
-            "bilby reconstructs time and distance beside an integral over the phase for modes with m = 2 alone, and "
-            "this signal has others: integrate over the phase or over the others, or state 'mode_array': [[2, 2]] in "
-            "waveform_arguments."
-        )
     trigger = _trigger(priors) if trigger_time is None else float(trigger_time)
     low, high = _band(interferometers, arguments)
     data = [_data(parts, interferometer, low, high) for interferometer in interferometers]

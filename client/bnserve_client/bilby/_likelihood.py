@@ -6,18 +6,18 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from bilby.core.utils import random
 from bilby.gw.conversion import convert_to_lal_binary_neutron_star_parameters
 from bilby.gw.detector import InterferometerList
 from bilby.gw.likelihood import GravitationalWaveTransient
 from bilby.gw.waveform_generator import WaveformGenerator
 from numpy.typing import NDArray
 
-from bnserve_client._lal_meaning import QUADRUPOLE, has_one_order, is_single, modes_of, orbital_turn
+from bnserve_client._lal_meaning import QUADRUPOLE, is_single, modes_of, orbital_turn
 from bnserve_client._together import Together
 from bnserve_client.bilby._analysis import Marginalised, build_analysis
 from bnserve_client.bilby._arguments import Choice, read_choice, stated
 from bnserve_client.bilby._calibration import calibration_columns
-from bnserve_client.bilby._phase import draw_phase, with_the_phase
 from bnserve_client.bilby._source import binary_neutron_star
 from bnserve_client.bilby._waveforms import binaries
 from bnserve_protocol import DEFAULT_ERROR_BOUND, EvaluationOptions, Likelihood, WaveformModel
@@ -74,7 +74,7 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
             GPS seconds near the merger; None for the middle of the prior of ``geocent_time``.
         time_marginalization, phase_marginalization, distance_marginalization
             As in bilby. Time and distance are integrated exactly, over priors that are uniform, and any smooth one of
-            the distance, such as ``UniformSourceFrame``. Beside modes of other m than 2, the phase alone.
+            the distance, such as ``UniformSourceFrame``.
         error_bound
             By how much ln L by relative binning may differ from that on the full grid.
         parameter_conversion
@@ -118,7 +118,6 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         priors: Any,
     ) -> None:
         self._bound, self._model, self._choice = bound, model, choice
-        self._of_phases: Likelihood | None = None
         self._together: Together | None = None
         super().__init__(
             interferometers, waveform_generator, time_marginalization=marginalised.time,
@@ -158,25 +157,61 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         self._together = Together(self.log_likelihood_ratios, threads)
         return self._together
 
-    def generate_phase_sample_from_marginalized_likelihood(self, *given: Any, **named: Any) -> Any:
-        """As in bilby, whose own is a rule for m = 2; with other modes from the service's value at a few phases."""
-        modes = modes_of(self._model.description, self._choice.modes)
-        if has_one_order(modes):
-            return super().generate_phase_sample_from_marginalized_likelihood(*given, **named)
-        if self._of_phases is None:
-            self._of_phases = with_the_phase(self._model, self._bound)
-        bound, sample = self._of_phases, dict(named.get("parameters") or self.parameters)
-        return draw_phase(lambda phases: bound.log_likelihood(self._columns(sample | {"phase": phases}, bound)), modes)
+    def reconstructed(self, samples: Sequence[Mapping[str, float]] | Mapping[str, Any]) -> dict[str, Floats]:
+        """A draw of what is integrated over for each of N samples, by its posterior given the rest, in one request.
 
-    def _columns(
-        self, samples: Sequence[Mapping[str, float]] | Mapping[str, Any], bound: Likelihood | None = None
-    ) -> dict[str, Any]:
+        Parameters
+        ----------
+        samples
+            As of :meth:`log_likelihood_ratios`.
+
+        Returns
+        -------
+        Those of ``geocent_time``, ``phase``, ``luminosity_distance``, ``(N,)`` each. bilby's generator of random
+        numbers (``bilby.core.utils.random``) is behind them.
+        """
+        columns, binary = self._columns_and_binaries(samples)
+        uniforms = random.rng.random((len(columns["mass_ratio"]), 4))
+        drawn = self._bound.draw_marginalised(columns, seed=uniforms[:, :3].copy()).parameters
+        found = {}
+        if "coalescence_time" in drawn:  # over a time that is the merger's, without a shift
+            found["geocent_time"] = drawn["coalescence_time"] + self._bound.analysis.settings.trigger_time
+        if "reference_phase" in drawn:
+            phase = 0.5 * (drawn["reference_phase"] - self._shifts(binary)[0])
+            if all(order % 2 == 0 for _, order in modes_of(self._model.description, self._choice.modes)):
+                phase = phase + np.where(uniforms[:, 3] < 0.5, 0.0, np.pi)  # half a turn changes nothing
+            found["phase"] = phase % (2.0 * np.pi)
+        if "distance_mpc" in drawn:
+            found["luminosity_distance"] = drawn["distance_mpc"]
+        return found
+
+    def generate_posterior_sample_from_marginalized_likelihood(
+        self, parameters: Mapping[str, float] | None = None
+    ) -> dict[str, float]:
+        """One sample with a draw of what is integrated over, by its posterior given the rest, whatever the modes."""
+        sample = dict(self.parameters if parameters is None else parameters)
+        if not self._marginalized_parameters:
+            return sample
+        return sample | {name: float(values[0]) for name, values in self.reconstructed([sample]).items()}
+
+    def generate_phase_sample_from_marginalized_likelihood(
+        self, signal_polarizations: Any = None, parameters: Mapping[str, float] | None = None
+    ) -> float:
+        """The phase of such a draw; bilby's own is a rule for m = 2."""
+        return self.generate_posterior_sample_from_marginalized_likelihood(parameters)["phase"]
+
+    def _columns(self, samples: Sequence[Mapping[str, float]] | Mapping[str, Any]) -> dict[str, Any]:
+        return self._columns_and_binaries(samples)[0]
+
+    def _columns_and_binaries(
+        self, samples: Sequence[Mapping[str, float]] | Mapping[str, Any]
+    ) -> tuple[dict[str, Any], dict[str, Floats]]:
         if isinstance(samples, Sequence):
             samples = {name: [sample[name] for sample in samples] for name in samples[0]}
         given = {name: np.asarray(samples[name], dtype=np.float64) for name in samples if _is_number(samples[name])}
         theirs, _ = self.waveform_generator.parameter_conversion(given)
         columns = binaries(theirs)
-        settings = (bound or self._bound).analysis.settings
+        settings = self._bound.analysis.settings
         shift, time = np.zeros(1), np.zeros(1)
         if not settings.phase_marginalisation or self._choice.zero_points.approximant is not None:
             shift, time = self._shifts(columns)
@@ -186,7 +221,7 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         whole: dict[str, Any] = dict(zip(ours, np.broadcast_arrays(*ours.values()), strict=True))
         if settings.calibration is not None:
             whole |= calibration_columns(settings.calibration, settings.detectors, theirs)
-        return whole
+        return whole, columns
 
     def _shifts(self, columns: dict[str, Floats]) -> tuple[Floats, Floats]:
         zero_points, grid = self._choice.zero_points, self.waveform_generator.frequency_array
