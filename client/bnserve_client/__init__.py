@@ -26,6 +26,7 @@ from bnserve_protocol import (
     BnserveError,
     ConnectionFailed,
     DeadlineExceeded,
+    DetectorFrame,
     DigestUnknown,
     EvaluationOptions,
     Factored,
@@ -56,11 +57,12 @@ from bnserve_protocol import (
 
 __all__ = [
     "AmplitudePhase", "Analysis", "AnalysisInvalid", "AnalysisUnknown", "AsyncLikelihood", "AsyncModel", "BnserveError",
-    "ConnectionFailed", "DeadlineExceeded", "DigestUnknown", "EvaluationOptions", "Factored", "InvalidFrequencies",
-    "InvalidParameters", "InvalidRequest", "Likelihood", "LikelihoodBatch", "LikelihoodParameters", "Model",
-    "ModelDescription", "ModelUnknown", "NotBnserve", "OutOfBand", "OutOfDomain", "ParameterBatch",
-    "ParametersWithExtrinsic", "Polarizations", "QuotaExceeded", "RowStatus", "RunManifest", "Together", "TokenInClear",
-    "TooLarge", "Unauthorized", "Unavailable", "UniformGrid", "UntrustedAnswer", "__version__", "convert",
+    "ConnectionFailed", "DeadlineExceeded", "DetectorFrame", "DigestUnknown", "EvaluationOptions", "Factored",
+    "InvalidFrequencies", "InvalidParameters", "InvalidRequest", "Likelihood", "LikelihoodBatch",
+    "LikelihoodParameters", "Model", "ModelDescription", "ModelUnknown", "NotBnserve", "OutOfBand", "OutOfDomain",
+    "ParameterBatch", "ParametersWithExtrinsic", "Polarizations", "QuotaExceeded", "RowStatus", "RunManifest",
+    "Together", "TokenInClear", "TooLarge", "Unauthorized", "Unavailable", "UniformGrid", "UntrustedAnswer",
+    "__version__", "convert",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

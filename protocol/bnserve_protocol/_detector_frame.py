@@ -26,8 +26,8 @@ class DetectorFrame:
     """Samples of an analysis by where they are relative to its detectors, as bilby's ``reference_frame="H1L1"`` and
     ``time_reference="H1"`` mean it.
 
-    ``zenith`` and ``azimuth`` (radians) are spherical coordinates about the line from the second detector of the pair to
-    the first, ``H1_time`` the GPS seconds of the merger's arrival at H1.
+    ``zenith`` and ``azimuth`` (radians) are spherical coordinates about the line from the second detector of the pair
+    to the first, ``H1_time`` the GPS seconds of the merger's arrival at H1.
 
     Parameters
     ----------
@@ -96,7 +96,7 @@ class DetectorFrame:
         return named | ours
 
     def from_sky(self, samples: Mapping[str, Any] | Table) -> dict[str, Any]:
-        """The reverse of :meth:`to_sky`, of samples that have a place and a time: for starting points and injections."""
+        """The reverse of :meth:`to_sky`, of samples with a place and a time: for starting points and injections."""
         named = _named(samples)
         geocentric = self._coalescence(named)
         if geocentric is None:

@@ -186,6 +186,40 @@ def test_calibration_errors_are_bilbys(data, arguments, fiducial):
     assert np.ptp([ours.log_likelihood_ratio(SIGNAL | found) for found in errors]) > 1.0
 
 
+# Places and times relative to detectors
+
+
+@pytest.mark.parametrize("fiducial", [None, SIGNAL], ids=["full grid", "relative binning"])
+@pytest.mark.parametrize(("frame", "reference"), [("H1L1", "geocenter"), ("sky", "L1"), ("L1V1", "H1")])
+def test_places_and_times_relative_to_detectors_are_bilbys(data, arguments, frame, reference, fiducial):
+    name = "geocent_time" if reference == "geocenter" else f"{reference}_time"
+    frames = {"reference_frame": frame, "time_reference": reference}
+    prior = priors(**{name: NEAR, "zenith": Sine(), "azimuth": Uniform(0.0, 2.0 * np.pi)})
+    if name != "geocent_time":
+        del prior["geocent_time"]
+    ours = ServiceLikelihood.from_bilby(
+        data, prior, waveform_arguments=arguments, fiducial_parameters=fiducial, **frames
+    )
+    theirs = bilby.gw.GravitationalWaveTransient(data, generator(binary_neutron_star, **arguments), **frames)
+    random = np.random.default_rng(5)
+    for row in samples(6):
+        angles = {"zenith": random.uniform(0.1, 3.0), "azimuth": random.uniform(0.0, 6.0)}
+        row = row | {name: WHEN + random.uniform(-0.005, 0.005)} | angles
+        for other in {"geocent_time"} - {name} | ({"ra", "dec"} if frame != "sky" else {"zenith", "azimuth"}):
+            del row[other]
+        assert ours.log_likelihood_ratio(row) == pytest.approx(theirs.log_likelihood_ratio(row), abs=0.3, rel=1e-3)
+    assert ours.likelihood.counts.out_of_prior == 0
+
+
+def test_a_time_at_a_detector_is_not_integrated_over(data, arguments):
+    prior = priors(H1_time=NEAR)
+    del prior["geocent_time"]
+    with pytest.raises(InvalidRequest, match="leave out 'time_reference'"):
+        ServiceLikelihood.from_bilby(
+            data, prior, waveform_arguments=arguments, time_reference="H1", time_marginalization=True
+        )
+
+
 # Parameters and priors
 
 

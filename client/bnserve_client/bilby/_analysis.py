@@ -14,7 +14,7 @@ from bnserve_client._lal_meaning import is_single, modes_of
 from bnserve_client._lal_precession import MOST_IN_PLANE
 from bnserve_client.bilby._arguments import Choice, stated
 from bnserve_client.bilby._calibration import read_calibration
-from bnserve_client.bilby._ranges import distance_prior, ends, prior_ranges
+from bnserve_client.bilby._ranges import distance_prior, ends, prior_ranges, time_name
 from bnserve_protocol import InvalidRequest, Likelihood, TimeMarginalisation, WaveformModel
 
 Floats = NDArray[np.float64]
@@ -39,22 +39,25 @@ def build_analysis(
     fiducial: dict[str, Floats] | None,
     trigger_time: float | None,
     error_bound: float,
+    time_reference: str,
 ) -> Likelihood:
     """The likelihood of an analysis that :meth:`ServiceLikelihood.from_bilby` describes, which raises the same.
 
     Parameters
     ----------
+    time_reference
+        ``"geocenter"``, or the detector whose ``H1_time`` the priors have.
     fiducial
         One binary, as ``binaries`` makes it: by relative binning around it; None for the full grid.
     """
     _refuse_precession(priors)
     parts = local_part("analyses", "Building an analysis of bilby's data")
     modes = modes_of(model.description, choice.modes)
-    trigger = _trigger(priors) if trigger_time is None else float(trigger_time)
+    trigger = _trigger(priors, time_name(time_reference)) if trigger_time is None else float(trigger_time)
     low, high = _band(interferometers, arguments)
     data = [_data(parts, interferometer, low, high) for interferometer in interferometers]
     options = parts.LikelihoodOptions(
-        prior=prior_ranges(priors, trigger) if fiducial is not None else {},
+        prior=prior_ranges(priors, trigger, time_reference) if fiducial is not None else {},
         phase_marginalisation=marginalised.phase,
         time_marginalisation=_times(priors, trigger, choice.zero_points.approximant) if marginalised.time else None,
         distance_marginalisation=distance_prior(priors["luminosity_distance"], parts.tabulated_distance_prior)
@@ -89,11 +92,11 @@ def _refuse_precession(priors: Any) -> None:
                 )
 
 
-def _trigger(priors: Any) -> float:
-    time = priors.get("geocent_time")
+def _trigger(priors: Any, name: str) -> float:
+    time = priors.get(name)
     if time is None:
         raise InvalidRequest(
-            "The priors have no 'geocent_time': give it a bilby.core.prior.Uniform, or give 'trigger_time'."
+            f"The priors have no '{name}': give it a bilby.core.prior.Uniform, or give 'trigger_time'."
         )
     if isinstance(time, int | float):
         return float(time)
@@ -101,11 +104,11 @@ def _trigger(priors: Any) -> float:
 
 
 def _times(priors: Any, trigger: float, approximant: str | None) -> TimeMarginalisation:
-    prior = priors["geocent_time"]
+    prior = priors.get("geocent_time")
     if approximant is not None or type(prior).__name__ != "Uniform":
         raise InvalidRequest(
             "The time of the merger is integrated over a uniform prior: give geocent_time a bilby.core.prior.Uniform, "
-            "and leave out 'waveform_approximant', whose time is another; or sample in the time."
+            "and leave out 'time_reference' and 'waveform_approximant', whose times are others; or sample in the time."
         )
     return TimeMarginalisation(minimum=prior.minimum - trigger, maximum=prior.maximum - trigger)
 

@@ -20,14 +20,11 @@ from bnserve_client.bilby._arguments import Choice, read_choice, stated
 from bnserve_client.bilby._calibration import calibration_columns
 from bnserve_client.bilby._source import binary_neutron_star
 from bnserve_client.bilby._waveforms import binaries
-from bnserve_protocol import DEFAULT_ERROR_BOUND, EvaluationOptions, Likelihood, WaveformModel
+from bnserve_protocol import DEFAULT_ERROR_BOUND, DetectorFrame, EvaluationOptions, Likelihood, WaveformModel
 
 Floats = NDArray[np.float64]
 
-_SAME = {
-    "right_ascension": "ra", "declination": "dec", "polarization_angle": "psi", "inclination": "theta_jn",
-    "distance_mpc": "luminosity_distance",
-}  # fmt: skip
+_SAME = {"polarization_angle": "psi", "inclination": "theta_jn", "distance_mpc": "luminosity_distance"}
 _NOTHING = float(np.nan_to_num(-np.inf))
 """What bilby's likelihoods say outside of a model's range."""
 
@@ -53,6 +50,8 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         phase_marginalization: bool = False,
         distance_marginalization: bool = False,
         error_bound: float = DEFAULT_ERROR_BOUND,
+        reference_frame: str = "sky",
+        time_reference: str = "geocenter",
         parameter_conversion: Any = convert_to_lal_binary_neutron_star_parameters,
     ) -> ServiceLikelihood:
         """The likelihood of bilby's data, uploaded to the service that ``waveform_arguments`` name.
@@ -77,6 +76,9 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
             the distance, such as ``UniformSourceFrame``.
         error_bound
             By how much ln L by relative binning may differ from that on the full grid.
+        reference_frame, time_reference
+            As in bilby, ``"H1L1"`` and ``"H1"``: samples have ``zenith`` and ``azimuth``, and ``H1_time``. Times of a
+            detector are not integrated over.
         parameter_conversion
             From the priors' parameters to bilby's source model's.
 
@@ -98,14 +100,16 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         bound = build_analysis(
             interferometers, priors, model, arguments, choice, marginalised,
             fiducial=None if fiducial is None else binaries(fiducial), trigger_time=trigger_time,
-            error_bound=error_bound,
+            error_bound=error_bound, time_reference=time_reference,
         )  # fmt: skip
+        frame = DetectorFrame(bound.analysis, reference_frame=reference_frame, time_reference=time_reference)
         generator = WaveformGenerator(
             duration=interferometers.duration, sampling_frequency=interferometers.sampling_frequency,
             start_time=interferometers.start_time, frequency_domain_source_model=binary_neutron_star,
             parameter_conversion=parameter_conversion, waveform_arguments=arguments,
         )  # fmt: skip
-        return cls(interferometers, generator, bound, model, choice, marginalised, priors)
+        frames = {"reference_frame": reference_frame, "time_reference": time_reference}
+        return cls(interferometers, generator, bound, model, choice, marginalised, priors, frame, frames)
 
     def __init__(
         self,
@@ -116,13 +120,15 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         choice: Choice,
         marginalised: Marginalised,
         priors: Any,
+        frame: DetectorFrame,
+        frames: Mapping[str, str],
     ) -> None:
-        self._bound, self._model, self._choice = bound, model, choice
+        self._bound, self._model, self._choice, self._frame = bound, model, choice, frame
         self._together: Together | None = None
         super().__init__(
             interferometers, waveform_generator, time_marginalization=marginalised.time,
             phase_marginalization=marginalised.phase, distance_marginalization=marginalised.distance, priors=priors,
-            jitter_time=False,
+            jitter_time=False, **frames,
         )  # fmt: skip
 
     @property
@@ -215,8 +221,15 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         shift, time = np.zeros(1), np.zeros(1)
         if not settings.phase_marginalisation or self._choice.zero_points.approximant is not None:
             shift, time = self._shifts(columns)
+        relative = "zenith" in theirs and self.reference_frame != "sky"
+        arrival = f"{self.time_reference}_time"  # "geocent" where it is that
+        names = ("zenith", "azimuth") if relative else ("ra", "dec")
+        placed = self._frame.to_sky(
+            {name: theirs[name] for name in (*names, arrival if arrival in theirs else "geocent_time")}
+        )
         ours = columns | {name: theirs[their_name] for name, their_name in _SAME.items()}
-        ours["coalescence_time"] = np.asarray(theirs["geocent_time"]) - settings.trigger_time - time
+        ours |= {name: placed[name] for name in ("right_ascension", "declination", "coalescence_time")}
+        ours["coalescence_time"] = ours["coalescence_time"] - time
         ours["reference_phase"] = 2.0 * np.asarray(theirs["phase"]) + shift
         whole: dict[str, Any] = dict(zip(ours, np.broadcast_arrays(*ours.values()), strict=True))
         if settings.calibration is not None:

@@ -21,7 +21,16 @@ _LARGEST_SHIFT = 0.06
 """Seconds, by which the time of LAL's models may differ from the merger's, and more."""
 
 
-def prior_ranges(priors: Mapping[str, Any], trigger_time: float) -> dict[str, Range]:
+_TO_A_DETECTOR = 0.0213
+"""Seconds from the centre of the Earth, at most."""
+
+
+def time_name(time_reference: str) -> str:
+    """The parameter of bilby that is the time at the centre of the Earth or at a detector."""
+    return "geocent_time" if "geocent" in time_reference else f"{time_reference}_time"
+
+
+def prior_ranges(priors: Mapping[str, Any], trigger_time: float, time_reference: str = "geocenter") -> dict[str, Range]:
     """Ranges by our names: chirp and total mass, mass ratio, spins, tides, coalescence time from the trigger."""
     given = {name: found for name, prior in priors.items() if (found := ends(prior)) is not None}
     ranges = _masses(given)
@@ -29,9 +38,10 @@ def prior_ranges(priors: Mapping[str, Any], trigger_time: float) -> dict[str, Ra
     for name in ("lambda_1", "lambda_2", "chi_1", "chi_2"):
         if ordered and name in given:
             ranges[name] = given[name]
-    if "geocent_time" in given:
-        low, high = given["geocent_time"]
-        ranges["coalescence_time"] = (low - trigger_time - _LARGEST_SHIFT, high - trigger_time + _LARGEST_SHIFT)
+    if (name := time_name(time_reference)) in given:
+        low, high = given[name]
+        beyond = _LARGEST_SHIFT + (0.0 if name == "geocent_time" else _TO_A_DETECTOR)
+        ranges["coalescence_time"] = (low - trigger_time - beyond, high - trigger_time + beyond)
     return ranges
 
 
