@@ -56,7 +56,8 @@ FORMULAS = (
     }
     | dict.fromkeys(
         ("phase", "coa_phase", "phi_ref"),
-        "reference_phase is a phase of the (2, 2) mode, at the alignment and not at f_ref: see the page on conventions",
+        "reference_phase is twice that of the orbit at f_ref where the options have reference_frequency=f_ref; without "
+        "them it is added to the phase of the alignment: see the page on conventions",
     )
     | dict.fromkeys(
         ("geocent_time", "tc", "geocentric_end_time"),
@@ -71,5 +72,7 @@ def hint_for(name: str, known: Collection[str]) -> str | None:
     """What to give in place of a name that other programs have, where ``known`` are taken; None if it is not such."""
     ours = SAME.get(name)
     if ours is not None and ours in known:
+        if name == "theta_jn":
+            return f"'{ours}' is the same where spins are aligned: {ANGLE_OF_TOTAL}."
         return f"'{ours}' is the same, in the same unit."
     return f"Here, {FORMULAS[name]}." if name in FORMULAS else None
