@@ -220,10 +220,10 @@ def spin_taylor(given):
     spins = [given.get(f"spin{star}{axis}", 0.0) for star in "12" for axis in "xyz"]
     found = lalsimulation.SimInspiralChooseFDWaveform(
         given["mass1"] * lal.MSUN_SI, given["mass2"] * lal.MSUN_SI, *spins, given["distance"] * 1e6 * lal.PC_SI,
-        given["inclination"], given["coa_phase"], 0.0, 0.0, 0.0, GRID["delta_f"], GRID["f_lower"], 64.0, given["f_ref"],
+        given["inclination"], given["coa_phase"], 0.0, 0.0, 0.0, GRID["delta_f"], GRID["f_lower"], 80.0, given["f_ref"],
         settings, lalsimulation.GetApproximantFromString("IMRPhenomXP_NRTidalv3"),
     )  # fmt: skip
-    return np.array([part.data.data[640:] for part in found])
+    return np.array([part.data.data[640:2049] for part in found])
 
 
 @pytest.mark.parametrize("given", [{}, {"inclination": 2.2, "coa_phase": 2.0}, {"mass1": 1.3, "mass2": 1.5}])
