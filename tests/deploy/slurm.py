@@ -15,14 +15,15 @@ from tests.integration.workers import until
 from tests.running_server import free_port, running
 
 PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch")
-_PATH = os.pathsep.join([os.environ.get("PATH", ""), "/usr/sbin", "/usr/local/sbin"])
+_SBIN = ("/usr/sbin", "/usr/local/sbin")
 
 
 def unavailable() -> str:
     """Why it cannot run here; empty if it can."""
     if os.getuid() != 0:
         return "only root can run jobs as their users"
-    missing = [program for program in PROGRAMS if shutil.which(program, path=_PATH) is None]
+    path = os.pathsep.join([os.environ.get("PATH", ""), *_SBIN])
+    missing = [program for program in PROGRAMS if shutil.which(program, path=path) is None]
     return f"not installed: {', '.join(missing)}" if missing else ""
 
 
@@ -84,7 +85,8 @@ def slurm(folder: Path) -> Iterator[Slurm]:
     key.write_bytes(os.urandom(128))
     key.chmod(0o400)
     folder.chmod(0o755)
-    environment = os.environ | {"SLURM_CONF": str(file), "PATH": _PATH}
+    path = os.pathsep.join([os.environ.get("PATH", ""), *_SBIN])  # as the test has it now
+    environment = os.environ | {"SLURM_CONF": str(file), "PATH": path}
     made = Slurm(environment)
 
     def idle() -> bool:
@@ -107,5 +109,10 @@ def slurm(folder: Path) -> Iterator[Slurm]:
         start(munged, (folder / "munged.socket").exists)
         start(["slurmctld", "-D"], (folder / "slurmctld.pid").exists)
         start(["slurmd", "-D"], idle)
-        yield made
-        until(lambda: not made.ask("squeue", "-h"), "no job is left")
+        try:
+            yield made
+        except BaseException:
+            made.ask("scancel", "--me")  # or what it runs would outlive the tests
+            raise
+        finally:
+            until(lambda: not made.ask("squeue", "-h"), "no job is left")

@@ -104,6 +104,42 @@ def test_signals_reach_the_program_which_may_go_on(environment, tmp_path):
     assert left_behind(tmp_path) == []
 
 
+TOLD = """
+import os, signal, sys, time
+from bnserve_client import Model, ParametersWithExtrinsic
+told = []
+for number in (signal.SIGTERM, signal.SIGUSR1):
+    signal.signal(number, lambda number, frame: told.append(number))
+print("begun", flush=True)
+while not told:
+    time.sleep(0.05)
+time.sleep(2.5)  # longer than the grace that a server has otherwise
+model = Model.connect(os.environ["BNSERVE_URL"], "default")
+plus, cross = model.predict([20.0, 100.0], ParametersWithExtrinsic.gw170817())
+print("checkpoint", len(told), plus.tobytes().hex(), flush=True)
+"""
+"""What a sampler does that is told to stop: it finishes its step, which asks the server, and writes a checkpoint."""
+
+
+@pytest.mark.parametrize(("number", "options"), [(signal.SIGTERM, "--workers 2"), (signal.SIGUSR1, "")])
+def test_where_all_processes_are_told_the_server_answers_until_the_program_has_ended(
+    environment, tmp_path, number, options
+):
+    """As SLURM does with the processes of a step."""
+    (tmp_path / "told.py").write_text(TOLD)
+    script = subprocess.Popen(
+        [BATCH / "with_server.sh", sys.executable, str(tmp_path / "told.py")],
+        env=environment | {"SLURM_STEP_ID": "0", "BNSERVE_OPTIONS": options},
+        stdout=subprocess.PIPE, text=True, process_group=0,
+    )  # fmt: skip
+    with script:
+        assert script.stdout.readline() == "begun\n"
+        os.killpg(script.pid, number)
+        assert script.stdout.read().split() == ["checkpoint", "1", right()]
+    assert script.returncode == 0
+    assert left_behind(tmp_path) == []
+
+
 def test_a_server_for_others_says_where_it_is_and_lets_in_who_has_the_token(environment, tmp_path):
     server = subprocess.Popen([BATCH / "serve.sh"], env=environment, stdout=subprocess.PIPE, text=True)
     place, token = tmp_path / ".bnserve" / "address", tmp_path / ".bnserve" / "token"
@@ -149,6 +185,17 @@ def test_slurm_runs_a_program_with_its_server_and_a_server_for_others(slurm, tmp
     until(lambda: slurm.state(job) in ("COMPLETED", "FAILED"), "the job has ended")
     output = (tmp_path / "sampling.out").read_text()
     assert f"plus {right()} unix:" in output, output
+    assert left_behind(tmp_path) == []
+
+    (tmp_path / "told.py").write_text(TOLD)
+    slurm.environment["BNSERVE_COMMAND"] = f"{sys.executable} told.py"
+    job = slurm.submit(*small, str(BATCH / "sampling.sbatch"))
+    output = tmp_path / "sampling.out"
+    until(lambda: output.exists() and "begun" in output.read_text(), "it has begun")
+    slurm.ask("scancel", "--signal=TERM", job)  # as --signal=TERM@120 does
+    until(lambda: slurm.state(job) in ("COMPLETED", "FAILED"), "it has ended")
+    assert f"checkpoint 1 {right()}" in output.read_text()
+    assert slurm.state(job) == "COMPLETED"
     assert left_behind(tmp_path) == []
 
     job = slurm.submit(*small, str(BATCH / "serve.sbatch"))

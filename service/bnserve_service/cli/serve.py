@@ -38,6 +38,7 @@ def add_parser(subparsers: Any) -> None:
     add("--metrics-host", metavar="HOST", help="address of the metrics port (127.0.0.1)")
     add("--workers", type=int, metavar="N", help="worker processes (1); with more, one that dies or hangs is replaced")
     add("--workers-threads", type=int, metavar="N", help="threads of each worker (its part of the processors)")
+    add("--drain-grace", type=float, metavar="SECONDS", help="so long requests are still answered after SIGTERM (2)")
     add("--token", action="append", metavar="TOKEN", help="require this bearer token (repeatable); visible in the "
         "process list: on shared machines prefer --token-file or hashed tokens in the settings")  # fmt: skip
     add(
@@ -106,6 +107,7 @@ def _overrides(options: argparse.Namespace) -> dict[str, Any]:
         "metrics_uds": options.metrics_uds,
         "workers": options.workers,
         "threads": options.workers_threads,
+        "drain_grace": options.drain_grace,
         "tokens": _tokens(options) or None,
         "token_list": options.token_file,
         "access_log": options.access_log,
