@@ -112,10 +112,10 @@ class DistanceIntegral:
             result[rows] = self._of_rows(products[rows], norms[rows], phase)
         return result
 
-    def draw(self, products: Floats, norms: Floats, uniforms: Floats) -> Floats:
+    def draw(self, products: Floats, norms: Floats, phase: bool, uniforms: Floats) -> Floats:
         """Distances in Mpc, ``(N,)``, where their posterior's distribution function has the values ``uniforms``.
 
-        Parameters are Re <d|h> and <h|h> as of :meth:`log_likelihood`; NaN where they are.
+        Other parameters are as of :meth:`log_likelihood`; NaN where they are.
         """
         start, stop = (np.log(end) for end in self._window(products, norms))
         step = (stop - start) / _CELLS
@@ -123,8 +123,9 @@ class DistanceIntegral:
         def values_at(rows: NDArray[np.int64], places: Floats) -> Floats:
             v = start[rows] + places * step[rows]
             u = np.exp(v)
-            beside = self._prior.beside_the_power(-v)
-            return np.asarray(products[rows] * u - 0.5 * norms[rows] * (u * u) - (self._power + 1.0) * v + beside)
+            amplitude = products[rows] * u
+            beside = self._prior.beside_the_power(-v) - (self._power + 1.0) * v
+            return np.asarray((log_bessel_i0(amplitude) if phase else amplitude) - 0.5 * norms[rows] * (u * u) + beside)
 
         rows, places = np.divmod(np.arange(len(products) * (_CELLS + 1)), _CELLS + 1)
         knots = values_at(rows, places.astype(np.float64)).reshape(len(products), -1)

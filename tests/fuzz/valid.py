@@ -70,13 +70,16 @@ def likelihood_requests() -> list[bytes]:
     errors = {name: np.zeros((3, 4)) for name in ("H1", "L1")}
     complete = samples(3, calibration_amplitude=errors)
     ours = [encode_likelihood_request(ANALYSIS.digest, batch) for batch in (complete, samples(2))]
+    ours.append(encode_likelihood_request(ANALYSIS.digest, samples(2), "draws", np.full((2, 3), 0.5)))
     by_hand = {"parameters": dict.fromkeys(complete_names(), 1.0), "calibration_phase": {"H1": [[0.0] * 4]}}
     return [*ours, msgspec.msgpack.encode(by_hand)]
 
 
 def likelihood_requests_json() -> list[bytes]:
     """The same in JSON."""
-    return [msgspec.json.encode({"parameters": dict.fromkeys(complete_names(), 1.0)})]
+    plain = {"parameters": dict.fromkeys(complete_names(), 1.0)}
+    more = ({}, {"output": "products"}, {"output": "draws", "uniforms": [[0.5, 0.25, 0.0]]})
+    return [msgspec.json.encode(plain | fields) for fields in more]
 
 
 def complete_names() -> list[str]:
@@ -108,12 +111,17 @@ def waveform_answers() -> list[bytes]:
 
 
 def likelihood_answers() -> list[bytes]:
-    """Bodies of answers with log-likelihoods."""
-    status = np.array([0, 2], np.uint8)
-    answer = LikelihoodAnswer(
-        log_likelihood=np.array([1.0, -np.inf]), status=status, model=IDENTITY, analysis=ANALYSIS.digest
-    )
-    return [b"".join(encode_likelihood_answer(answer))]
+    """Bodies of answers with log-likelihoods, alone, with products and with draws."""
+    plain = {"log_likelihood": np.array([1.0, -np.inf]), "status": np.array([0, 2], np.uint8)}
+    products = {"d_inner_h": np.ones((2, 2), complex), "h_inner_h": np.ones((2, 2))}
+    return [
+        b"".join(
+            encode_likelihood_answer(
+                LikelihoodAnswer(**plain, model=IDENTITY, analysis=ANALYSIS.digest, further=further)
+            )
+        )
+        for further in ({}, products, {"distance_mpc": np.ones(2)})
+    ]
 
 
 def manifests() -> list[bytes]:

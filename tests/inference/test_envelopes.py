@@ -13,17 +13,19 @@ FILE = DATA / "L1_CalEnv.txt"
 
 @pytest.mark.filterwarnings("default")  # of bilby and what it imports
 @pytest.mark.parametrize("correction", ["data", "template"])
-def test_they_are_bilbys(correction):
+@pytest.mark.parametrize("detector", ["H1", "L1", "V1"])
+def test_they_are_bilbys(detector, correction):
     bilby = pytest.importorskip("bilby")
+    file = DATA / f"{detector}_CalEnv.txt"
     theirs = bilby.gw.prior.CalibrationPriorDict.from_envelope_file(
-        str(FILE), NODES.f_min, NODES.f_max, NODES.nodes, "L1", correction_type=correction
+        str(file), NODES.f_min, NODES.f_max, NODES.nodes, detector, correction_type=correction
     )
-    ours = read_envelope(FILE, NODES, correction=correction)
+    ours = read_envelope(file, NODES, correction=correction)
     for kind, mean, width in (
         ("amplitude", ours.amplitude, ours.amplitude_width),
         ("phase", ours.phase, ours.phase_width),
     ):
-        gaussians = [theirs[f"recalib_L1_{kind}_{node}"] for node in range(NODES.nodes)]
+        gaussians = [theirs[f"recalib_{detector}_{kind}_{node}"] for node in range(NODES.nodes)]
         np.testing.assert_allclose(mean, [one.mu for one in gaussians], atol=1e-10)
         np.testing.assert_allclose(width, [one.sigma for one in gaussians], atol=1e-10)
 

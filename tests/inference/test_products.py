@@ -83,6 +83,15 @@ def test_of_seven_modes():
         np.testing.assert_allclose(exact.h_inner_h[row], norms, rtol=1e-9)
 
 
+def test_in_detectors_that_move(model, data):
+    batch = columns(3, width=0.3)
+    moving = likelihood(model, full(data, response="moving"))
+    np.testing.assert_allclose(moving.products(batch).network_log_likelihood, moving.log_likelihood(batch), rtol=1e-9)
+    integrated = likelihood(model, full(data, response="moving", **INTEGRATED))
+    drawn = integrated.draw_marginalised(batch, seed=1)
+    np.testing.assert_allclose(moving.log_likelihood(batch | drawn.parameters), drawn.log_likelihood, atol=1e-3)
+
+
 def test_of_calibrated_signals(model, data):
     batch = columns(3, width=0.3)
     batch |= errors(batch, 0.03)

@@ -40,7 +40,7 @@ _BYTES_PER_ROW = 9
 """Of an answer: a float64 and a status."""
 _BYTES_OF_PRODUCTS = 24
 """Of a row in each detector: a complex128 and a float64."""
-_WORK: dict[LikelihoodOutput, int] = {"log_likelihood": 1, "products": 2, "draws": 4}
+_WORK: dict[LikelihoodOutput, int] = {"log_likelihood": 1, "products": 2, "draws": 8}
 """Of a row, in that of its log-likelihood: with products the model is asked for each detector, and a draw evaluates the
 likelihood at some more times, phases and distances."""
 
