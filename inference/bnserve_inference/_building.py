@@ -96,6 +96,9 @@ class LikelihoodOptions:
         each mode passes each frequency, as signals of minutes and hours need. ``"auto"``: static where that is checked
         to be right to a part of ``error_bound``, and moving otherwise; on the full grid always moving. What an analysis
         has is ``settings.response``.
+    reference_frequency
+        Hz; where ``reference_phase`` is twice the orbital phase, as LAL's and bilby's: samples may then have bilby's
+        ``phase``. None: it is added to the phase of the alignment.
     """
 
     prior: Ranges = field(default_factory=dict)
@@ -106,11 +109,14 @@ class LikelihoodOptions:
     error_bound: float = DEFAULT_ERROR_BOUND
     modes: Sequence[Mode] | None = None
     response: ResponseChoice = "static"
+    reference_frequency: float | None = None
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "prior", real_ranges(self.prior))
         check_response(self.response, "auto")
-        object.__setattr__(self, "modes", EvaluationOptions(modes=self.modes).modes)  # type: ignore[arg-type]  # lists become tuples
+        chosen = EvaluationOptions(modes=self.modes, reference_frequency=self.reference_frequency)  # type: ignore[arg-type]  # lists become tuples
+        object.__setattr__(self, "modes", chosen.modes)
+        object.__setattr__(self, "reference_frequency", chosen.reference_frequency)
 
 
 class Band:
@@ -236,6 +242,7 @@ class Band:
             error_bound=msgspec.UNSET if kind == "full" else options.error_bound,
             modes=msgspec.UNSET if options.modes is None else tuple(options.modes),
             response="static" if options.response == "static" else "moving",
+            reference_frequency=msgspec.UNSET if options.reference_frequency is None else options.reference_frequency,
         )
 
     def arrays(

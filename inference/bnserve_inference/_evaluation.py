@@ -196,7 +196,7 @@ class LocalLikelihood:
         """The status of every row; ``keep`` is given the signals of those that can be evaluated, a tile at a time, and
         returns numbers that are finite where all of a row is."""
         check_batch(batch, self._analysis.settings)
-        status = row_statuses(batch, self._analysis.settings)
+        status = row_statuses(batch, self._analysis.settings, self._model.description)
         good = np.flatnonzero(status == RowStatus.OK)
         for start in range(0, len(good), self._tile):
             rows = good[start : start + self._tile]

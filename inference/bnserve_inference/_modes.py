@@ -63,6 +63,13 @@ def options_for(model: WaveformModel, modes: Sequence[Mode], **settings: Any) ->
     return EvaluationOptions(modes=named, **settings)
 
 
+def evaluation_options(model: WaveformModel, modes: Sequence[Mode], settings: AnalysisSettings) -> EvaluationOptions:
+    """What a model is to be asked with for the signals of an analysis."""
+    reference = settings.reference_frequency
+    known = {} if isinstance(reference, msgspec.UnsetType) else {"reference_frequency": reference}
+    return options_for(model, modes, out_of_domain="flag", alignment=settings.alignment, **known)
+
+
 def quadrupole_options(model: WaveformModel, **settings: Any) -> EvaluationOptions:
     """As :func:`options_for`, of what needs one mode: (2, 2) of a model that has several."""
     return options_for(model, (QUADRUPOLE,), **settings)

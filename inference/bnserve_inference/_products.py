@@ -39,7 +39,7 @@ class ProductsByDetector:
     """
 
     def __init__(self, model: WaveformModel, analysis: Analysis) -> None:
-        self.settings = nothing_integrated(analysis.settings)
+        self.settings, self._description = nothing_integrated(analysis.settings), model.description
         self._signals = [signals_of(model, of_detector(analysis, name), None) for name in self.settings.detectors]
         modes = len(modes_of(self.settings, model.description))
         self._tile = min(_MOST_ROWS, max(1, _TILE_POINTS // (len(self._signals[0].frequencies) * modes)))
@@ -53,7 +53,7 @@ class ProductsByDetector:
             Something is left out, or calibration errors that the analysis has no nodes for.
         """
         check_batch(batch, self.settings)
-        status = row_statuses(batch, self.settings)
+        status = row_statuses(batch, self.settings, self._description)
         shape = len(batch), len(self._signals)
         data, norms = np.full(shape, complex(np.nan, np.nan)), np.full(shape, np.nan)
         good = np.flatnonzero(status == RowStatus.OK)

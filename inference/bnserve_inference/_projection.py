@@ -46,6 +46,7 @@ def detector_strain(
     calibration: Calibration | None = None,
     modes: Sequence[Mode] | None = None,
     response: Response = "static",
+    reference_frequency: float | None = None,
 ) -> NDArray[np.complex128]:
     """The signal in one detector, complex ``(M,)`` in 1/Hz, whose time zero is the trigger.
 
@@ -65,7 +66,7 @@ def detector_strain(
     """
     check_response(response)
     batch = LikelihoodBatch.coerce(parameters)
-    options = EvaluationOptions(alignment=alignment, modes=modes)  # type: ignore[arg-type]  # lists become tuples
+    options = EvaluationOptions(alignment=alignment, modes=modes, reference_frequency=reference_frequency)  # type: ignore[arg-type]  # lists become tuples
     now, rate = sidereal_time(trigger_time)
     sidereal = now + rate * parameters.coalescence_time
     place = parameters.right_ascension, parameters.declination, parameters.polarization_angle
@@ -106,7 +107,8 @@ def _moving_signal(
         f = frequencies[piece]
         for order, times in zip(orders(modes), passing[:, piece], strict=True):
             these = tuple(mode for mode in modes if mode[1] == order)
-            asked = options_for(model, these, alignment=options.alignment)
+            reference = options.reference_frequency
+            asked = options_for(model, these, alignment=options.alignment, reference_frequency=reference)
             strain = model.predict_batch(f, waveform, options=asked)
             turned = now + sidereal[1] * times
             f_plus, f_cross = patterns(detector, place, turned, f)
@@ -141,6 +143,7 @@ def simulate_data(
     alignment: Alignment = "merger",
     modes: Sequence[Mode] | None = None,
     response: Response = "static",
+    reference_frequency: float | None = None,
 ) -> list[DetectorData]:
     """Data of a network with one signal in Gaussian noise.
 
@@ -162,6 +165,8 @@ def simulate_data(
     response
         ``"static"``: detectors stand as they do at the coalescence. ``"moving"``: as the Earth turns them, which the
         signals of nature do; an analysis of the data needs ``LikelihoodOptions(response=...)`` to go with it.
+    reference_frequency
+        Hz; where the ``reference_phase`` is twice the orbital phase; None: it is added to the phase of the alignment.
 
     Raises
     ------
@@ -181,7 +186,7 @@ def simulate_data(
         strain = np.zeros(len(asd), dtype=np.complex128)
         signal = detector_strain(
             site, frequencies[band], model, parameters, trigger_time=trigger_time, alignment=alignment, modes=modes,
-            response=response,
+            response=response, reference_frequency=reference_frequency,
         )  # fmt: skip
         strain[band] = signal * np.exp(-2j * np.pi * frequencies[band] * (trigger_time - start_time))
         if generator is not None:

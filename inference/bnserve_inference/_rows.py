@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -11,6 +12,7 @@ from bnserve_protocol import (
     FieldError,
     InvalidParameters,
     LikelihoodBatch,
+    ModelDescription,
     ParameterBatch,
     RowStatus,
     integrated_names,
@@ -50,8 +52,10 @@ def check_batch(batch: LikelihoodBatch, settings: AnalysisSettings) -> None:
             )
 
 
-def row_statuses(batch: LikelihoodBatch, settings: AnalysisSettings) -> NDArray[np.uint8]:
-    """A :class:`RowStatus` of every row, before the model is asked: uint8 ``(N,)``."""
+def row_statuses(
+    batch: LikelihoodBatch, settings: AnalysisSettings, description: ModelDescription
+) -> NDArray[np.uint8]:
+    """A :class:`RowStatus` of every row, before the model of that description is asked: uint8 ``(N,)``."""
     ignored = integrated_names(settings)
     used = [column for column, name in enumerate(LIKELIHOOD_NAMES) if name not in ignored]
     status = np.zeros(len(batch), dtype=np.uint8)
@@ -71,6 +75,9 @@ def row_statuses(batch: LikelihoodBatch, settings: AnalysisSettings) -> NDArray[
     for arrays in (batch.calibration_amplitude, batch.calibration_phase):
         for array in arrays.values():
             finite &= np.isfinite(array).all(axis=1)
+    if not isinstance(settings.reference_frequency, msgspec.UnsetType):  # above the band it would be an error
+        highest = (1.0 - _SLACK) * description.training_band[1] * description.reference_mass
+        status[~(settings.reference_frequency * batch["total_mass"] <= highest)] = RowStatus.OUT_OF_BAND
     status[~inside] = RowStatus.OUT_OF_PRIOR
     status[~finite] = RowStatus.NOT_FINITE
     return status

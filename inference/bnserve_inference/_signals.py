@@ -12,7 +12,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._modes import modes_of, options_for, orders
+from bnserve_inference._modes import evaluation_options, modes_of, orders
 from bnserve_inference._passing import passing_times
 from bnserve_inference._phase_integral import PhaseIntegral
 from bnserve_inference.kernel import Contraction, Sky
@@ -73,7 +73,7 @@ class OneMode:
     def __init__(self, model: WaveformModel, analysis: Analysis) -> None:
         modes = modes_of(analysis.settings, model.description)
         self._model, self._settings, self._contraction = model, analysis.settings, Contraction(analysis)
-        self._options = options_for(model, modes, out_of_domain="flag", alignment=analysis.settings.alignment)
+        self._options = evaluation_options(model, modes, analysis.settings)
         self.frequencies = self._contraction.frequencies
         self.samples = len(self.frequencies)
 
@@ -111,7 +111,7 @@ class SeveralModes:
         different = orders(modes)
         group_of = [different.index(order) if apart else 0 for _, order in modes]
         self._model, self._settings, self._contraction = model, analysis.settings, ModesContraction(analysis, group_of)
-        self._options = options_for(model, modes, out_of_domain="flag", alignment=analysis.settings.alignment)
+        self._options = evaluation_options(model, modes, analysis.settings)
         self._phases, self._groups = phases, max(group_of) + 1
         self.frequencies = self._contraction.frequencies
         self.samples = len(self.frequencies) * len(modes)
@@ -160,7 +160,7 @@ class Moving(SeveralModes):
         group_of = [different.index(order) for _, order in self._modes]
         self._model, self._settings = model, analysis.settings
         self._moving = MovingContraction(analysis, group_of)
-        self._options = options_for(model, self._modes, out_of_domain="flag", alignment=analysis.settings.alignment)
+        self._options = evaluation_options(model, self._modes, analysis.settings)
         self._phases, self._groups = phases, len(different)
         self.frequencies = self._moving.frequencies
         self.samples = len(self.frequencies) * len(self._modes)

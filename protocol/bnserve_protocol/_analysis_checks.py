@@ -19,6 +19,8 @@ _MOST_CALIBRATION_NODES = 64
 _LARGEST_DEGREE = 64
 _LIMITS = {"f_max": 1e6, "duration": 1e7, "sidereal_time": 1e6, "sidereal_rate": 1.0}
 """Hz, seconds, radians and radians a second: far beyond any analysis, and phases of their products have digits left."""
+_REFERENCES = 0.01, 1e6
+"""Hz; lower, double precision leaves nothing of a phase."""
 
 
 def check_settings(settings: AnalysisSettings) -> None:
@@ -53,6 +55,10 @@ def check_settings(settings: AnalysisSettings) -> None:
             "binning or the full analysis for response='moving', or response='static'.",
             errors=[FieldError(reason="not with a quadrature", parameter="response")],
         )
+    reference = settings.reference_frequency
+    if not isinstance(reference, msgspec.UnsetType):
+        least, most = _REFERENCES
+        require(least <= reference <= most, "reference_frequency", reference, f"is {least:g} to {most:g} Hz")
     bound = settings.error_bound
     if not isinstance(bound, msgspec.UnsetType):
         require(0.0 < bound < math.inf, "error_bound", bound, "must be positive and finite")

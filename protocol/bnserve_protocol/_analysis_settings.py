@@ -146,6 +146,9 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
     response
         ``"static"``: antenna patterns and delays are those at the coalescence. ``"moving"``: at the time at which each
         mode passes each frequency (``docs/explanations/response.md``). Not written where it is ``"static"``.
+    reference_frequency
+        Hz; where ``reference_phase`` is twice the orbital phase, as in :class:`EvaluationOptions`. Not written where it
+        is added to the phase of the alignment.
     """
 
     kind: AnalysisKind
@@ -168,6 +171,7 @@ class AnalysisSettings(msgspec.Struct, frozen=True, forbid_unknown_fields=True, 
     error_bound: float | msgspec.UnsetType = msgspec.UNSET
     modes: Annotated[tuple[Mode, ...], msgspec.Meta(max_length=MOST_MODES)] | msgspec.UnsetType = msgspec.UNSET
     response: Response | msgspec.UnsetType = msgspec.UNSET
+    reference_frequency: float | msgspec.UnsetType = msgspec.UNSET
     schema_version: Literal[1] = 1
 
     @property

@@ -6,8 +6,10 @@ Names of the binary alone are those of :func:`bnserve_protocol.convert`.
 from __future__ import annotations
 
 import re
+from collections.abc import Set
 from typing import Any
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
@@ -35,8 +37,8 @@ def samples_of(batch: LikelihoodBatchLike, settings: AnalysisSettings) -> Likeli
     ----------
     batch
         As :meth:`LikelihoodBatch.coerce`; the names of a mapping or a table may be those of :func:`convert`, and also
-        ``geocent_time`` (GPS seconds of the merger), ``phase`` where it is integrated over, and bilby's
-        ``recalib_H1_amplitude_0``.
+        ``geocent_time`` (GPS seconds of the merger), ``phase`` where it is integrated over or the analysis has a
+        ``reference_frequency``, and bilby's ``recalib_H1_amplitude_0``.
     settings
         Of the analysis that they are samples of.
 
@@ -53,18 +55,28 @@ def samples_of(batch: LikelihoodBatchLike, settings: AnalysisSettings) -> Likeli
     ours |= _calibration(named, settings.calibration)
     if "geocent_time" in named:
         ours["coalescence_time"] = _from_trigger(named, settings)
-    for phase in _PHASES:
-        if settings.phase_marginalisation:
-            named.pop(phase, None)
-        elif phase in named:
-            raise _refusal(
-                phase, f"'{phase}' is the orbital phase at a reference frequency, which this analysis does not have: "
-                "give 'reference_phase' (the page on conventions says what it is), integrate over the phase, or use "
-                "bnserve_client.bilby.ServiceLikelihood.from_bilby, which is told the frequency.",
-            )  # fmt: skip
+    for phase in [name for name in _PHASES if name in named]:
+        turned = column_of_numbers(phase, named.pop(phase), "rad")
+        if not settings.phase_marginalisation:
+            _check_phase(phase, named.keys() | ours, settings)
+            ours["reference_phase"] = 2.0 * turned
     for name in _OF_THE_PLANE:
         named.pop(name, None)
     return LikelihoodBatch.coerce(convert(named) | ours)
+
+
+def _check_phase(name: str, others: Set[str], settings: AnalysisSettings) -> None:
+    """Refuse an orbital phase where its frequency is not known, or where there is another phase."""
+    if isinstance(settings.reference_frequency, msgspec.UnsetType):
+        raise _refusal(
+            name, f"'{name}' is the orbital phase at a reference frequency, which this analysis does not have: make it "
+            "with LikelihoodOptions(reference_frequency=...), integrate over the phase, or give 'reference_phase' (the "
+            "page on conventions says what it is).",
+        )  # fmt: skip
+    if "reference_phase" in others:
+        raise _refusal(
+            name, f"'{name}' and another phase are given, which is half of 'reference_phase': leave one out."
+        )
 
 
 def _from_trigger(named: dict[str, Any], settings: AnalysisSettings) -> Floats:

@@ -16,6 +16,7 @@ from bnserve_inference import (
 )
 from bnserve_protocol import (
     LIKELIHOOD_NAMES,
+    PARAMETER_NAMES,
     AnalysisInvalid,
     Calibration,
     DistanceMarginalisation,
@@ -27,6 +28,7 @@ from bnserve_protocol import (
     TimeMarginalisation,
     decode_analysis,
     encode_analysis,
+    turn_to_reference,
 )
 from tests.inference.bases import RANGES, made_basis
 from tests.inference.networks import DETECTORS, F_MAX, F_MIN, PRIOR, START, TRIGGER, TRUTH, asds, columns, full
@@ -272,3 +274,42 @@ def test_a_quadrature_is_of_the_quadrupole_and_has_to_be_asked_for_as_such(seven
     expected = likelihood(seven, full(data, modes=[(2, 2)])).log_likelihood(batch)
     found = likelihood(seven, analysis)
     np.testing.assert_allclose(found.log_likelihood(batch), expected, atol=0.2)
+
+
+@pytest.mark.parametrize("response", ["static", "moving"])
+def test_a_reference_frequency(seven, data, response):
+    """The phase of samples is that of the orbit there, in every kind and mode; integrals do not notice."""
+    batch = around(4)
+    plain = full(data, response=response)
+    there = full(data, response=response, reference_frequency=50.0)
+    binary = {name: batch[name] for name in PARAMETER_NAMES if name in batch}
+    options = EvaluationOptions(alignment="merger", modes=[(2, 2)])
+    phase = seven.predict_amplitude_phase([50.0], binary | {"reference_phase": 0.0}, options=options).phase[:, 0]
+    turned = batch | {"reference_phase": batch["reference_phase"] - turn_to_reference(phase)}
+    expected = likelihood(seven, plain).log_likelihood(batch)
+    np.testing.assert_allclose(likelihood(seven, there).log_likelihood(turned), expected, rtol=1e-9, atol=1e-6)
+    halves = {name: values for name, values in turned.items() if name != "reference_phase"}
+    halves["phase"] = 0.5 * turned["reference_phase"]
+    np.testing.assert_allclose(likelihood(seven, there).log_likelihood(halves), expected, rtol=1e-9, atol=1e-6)
+    bound = likelihood(seven, there)
+    np.testing.assert_allclose(bound.products(turned).network_log_likelihood, expected, rtol=1e-9, atol=1e-6)
+    integrated = full(data, response=response, reference_frequency=50.0, phase_marginalisation=True)
+    same = full(data, response=response, phase_marginalisation=True)
+    np.testing.assert_allclose(
+        likelihood(seven, integrated).log_likelihood(batch), likelihood(seven, same).log_likelihood(batch), rtol=1e-9
+    )
+    drawn = likelihood(seven, integrated).draw_marginalised(batch, seed=2)
+    np.testing.assert_allclose(bound.log_likelihood(batch | drawn.parameters), drawn.log_likelihood, atol=1e-6)
+
+
+def test_a_reference_frequency_above_the_band_is_no_likelihood_and_no_error(seven, data):
+    high = full(data, reference_frequency=4000.0)
+    assert (likelihood(seven, high).evaluate(around(2)).status == RowStatus.OUT_OF_BAND).all()
+    assert (likelihood(seven, high).products(around(2)).status == RowStatus.OUT_OF_BAND).all()
+
+
+def test_an_injection_with_a_reference_frequency(seven):
+    options = {"trigger_time": TRIGGER, "start_time": START, "duration": SECONDS, "seed": None, "f_min": 30.0}
+    heard = simulate_data(DETECTORS, asds(), model=seven, parameters=INCLINED, reference_frequency=40.0, **options)
+    found = likelihood(seven, full(heard, reference_frequency=40.0)).products(INCLINED)
+    np.testing.assert_allclose(found.d_inner_h, found.h_inner_h, rtol=1e-9)

@@ -195,6 +195,8 @@ BAD_SETTINGS = {
         {"calibration": Calibration(nodes=4, f_min=20.0, f_max=100.0, phase_width=float("nan"))},
         "'calibration.phase_width'",
     ),
+    "a reference frequency of nothing": ({"reference_frequency": 0.0}, "'reference_frequency'"),
+    "a reference frequency without end": ({"reference_frequency": float("inf")}, "'reference_frequency'"),
     "an error bound": ({"error_bound": 0.0}, "'error_bound'"),
     "a mass ratio from zero": ({"prior": SETTINGS.prior | {"mass_ratio": (0.0, 3.0)}}, "heavier mass over the lighter"),
     "a mass of nothing": ({"prior": SETTINGS.prior | {"total_mass": (0.0, 3.0)}}, "masses are positive"),
@@ -343,6 +345,7 @@ def test_a_table_of_distances_travels_and_is_not_written_where_there_is_none():
 
     plain, written = analysis(FAR), b"".join(encode_analysis(analysis(FAR)))
     assert b"table" not in written  # so that digests are those from before
+    assert b"reference_frequency" not in written
     other = analysis(tabulated(0.5))
     back = decode_analysis(b"".join(encode_analysis(other)))
     assert back.settings.distance_marginalisation.table == (0.5, *[0.0] * 9)

@@ -68,6 +68,11 @@ def test_what_is_integrated_over_is_ignored_by_any_name():
     assert samples_in(MASSES["components"] | without, settings()).absent == {"distance_mpc", "coalescence_time"}
 
 
+def test_a_phase_at_the_reference_frequency_of_the_analysis():
+    found = samples_in(MASSES["components"] | REST | {"phase": [1.0, 4.0]}, settings(reference_frequency=50.0))
+    assert found["reference_phase"].tolist() == [2.0, 8.0]
+
+
 def test_aligned_spins_with_their_angles():
     spins = {"a_1": 0.01, "tilt_1": 0.0, "a_2": 0.02, "tilt_2": np.pi, "phi_12": 0.0, "phi_jl": 0.0}
     rest = {name: value for name, value in REST.items() if not name.startswith("chi")}
@@ -93,6 +98,7 @@ def test_calibration_errors():
 
 REFUSED = {
     "a phase at a frequency": ({"phase": 1.0}, {}, "reference frequency, which this analysis does not have"),
+    "a phase twice": ({"phase": 1.0, "reference_phase": 2.0}, {"reference_frequency": 50.0}, "leave one out"),
     "a time of another meaning": ({}, {"alignment": "post_newtonian"}, "alignment='merger'"),
     "a time twice": ({"coalescence_time": 0.0}, {}, "one quantity"),
     "masses twice": ({"total_mass": 2.7}, {}, "stated twice"),
