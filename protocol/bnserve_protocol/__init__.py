@@ -31,6 +31,8 @@ from bnserve_protocol._analysis_settings import (
 from bnserve_protocol._batches import BatchLike, ParameterBatch
 from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
 from bnserve_protocol._conversion import convert
+from bnserve_protocol._derivative_coordinates import COORDINATES, coordinate_jacobian
+from bnserve_protocol._derivatives import DERIVATIVE_NAMES, Derivatives
 from bnserve_protocol._detector_frame import DetectorFrame
 from bnserve_protocol._errors import (
     ERRORS_BY_CODE,
@@ -140,28 +142,28 @@ from bnserve_protocol._time_domain import predict_time_domain, time_domain_steps
 from bnserve_protocol._version import __version__
 
 __all__ = [
-    "DEFAULT_ERROR_BOUND", "DEFAULT_OPTIONS", "DRAWN_NAMES", "ERRORS_BY_CODE", "INTRINSIC_NAMES", "IN_PLANE_NAMES",
-    "LIKELIHOOD_NAMES", "MEGAPARSEC_SECONDS", "PARAMETER_DEFAULTS", "PARAMETER_NAMES", "PARAMETER_UNITS",
-    "PHASE_AT_REFERENCE", "PRIOR_NAMES", "SOLAR_MASS_SECONDS", "AccessDenied", "AmplitudePhase", "Analysis",
-    "AnalysisInvalid", "AnalysisKind", "AnalysisSettings", "AnalysisUnknown", "AnswerCorrupted", "ArtifactCorrupted",
-    "ArtifactError", "ArtifactIncomplete", "BatchLike", "BnserveError", "Calibration", "ComplexArray",
-    "ConnectionFailed", "DeadlineExceeded", "DetectorFrame", "DetectorProducts", "DigestUnknown",
-    "DistanceMarginalisation", "Draining", "DtypeName", "EvaluationOptions", "Factored", "FieldError", "Forbidden",
-    "GridLike", "GridUnknown", "InternalError", "InvalidFrequencies", "InvalidParameters", "InvalidRequest",
-    "InvalidRows", "Likelihood", "LikelihoodBatch", "LikelihoodBatchLike", "LikelihoodCounts", "LikelihoodParameters",
-    "LikelihoodValues", "Limits", "ManifestModel", "MarginalisedDraws", "MergerStencil", "MergerTimes", "Mode",
-    "ModelDescription", "ModelIdentity", "ModelLoading", "ModelUnknown", "Modes", "NotAcceptable", "NotBnserve",
-    "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain", "Overloaded", "PackageMissing", "ParameterBatch",
-    "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown", "Polarizations", "ProcessorDescription",
-    "QuotaExceeded", "Response", "RowStatus", "RunManifest", "SchemaUnknown", "Seed", "StoreUnknown", "TimeGrid",
-    "TimeMarginalisation", "TimeSeries", "TooLarge", "Unauthorized", "Unavailable", "UndecodableBody", "UniformGrid",
-    "UnsupportedMediaType", "UntrustedAnswer", "VersionExists", "WaveformModel", "__version__", "as_frequencies",
-    "as_numbers", "as_real_number", "as_real_numbers", "check_arms", "check_dtype", "check_invalid_rows",
-    "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior", "check_settings",
-    "chosen_modes", "convert", "decode_analysis", "encode_analysis", "grid_digest", "integrated_names",
-    "likelihood_nodes", "likelihood_samples", "nothing_integrated", "plain_grid", "plain_options",
-    "predict_time_domain", "printable", "random_numbers", "refuse_rows", "require", "samples_of", "the_mode",
-    "time_domain_steps", "time_steps", "time_until_merger", "turn_to_reference",
+    "COORDINATES", "DEFAULT_ERROR_BOUND", "DEFAULT_OPTIONS", "DERIVATIVE_NAMES", "DRAWN_NAMES", "ERRORS_BY_CODE",
+    "INTRINSIC_NAMES", "IN_PLANE_NAMES", "LIKELIHOOD_NAMES", "MEGAPARSEC_SECONDS", "PARAMETER_DEFAULTS",
+    "PARAMETER_NAMES", "PARAMETER_UNITS", "PHASE_AT_REFERENCE", "PRIOR_NAMES", "SOLAR_MASS_SECONDS", "AccessDenied",
+    "AmplitudePhase", "Analysis", "AnalysisInvalid", "AnalysisKind", "AnalysisSettings", "AnalysisUnknown",
+    "AnswerCorrupted", "ArtifactCorrupted", "ArtifactError", "ArtifactIncomplete", "BatchLike", "BnserveError",
+    "Calibration", "ComplexArray", "ConnectionFailed", "DeadlineExceeded", "Derivatives", "DetectorFrame",
+    "DetectorProducts", "DigestUnknown", "DistanceMarginalisation", "Draining", "DtypeName", "EvaluationOptions",
+    "Factored", "FieldError", "Forbidden", "GridLike", "GridUnknown", "InternalError", "InvalidFrequencies",
+    "InvalidParameters", "InvalidRequest", "InvalidRows", "Likelihood", "LikelihoodBatch", "LikelihoodBatchLike",
+    "LikelihoodCounts", "LikelihoodParameters", "LikelihoodValues", "Limits", "ManifestModel", "MarginalisedDraws",
+    "MergerStencil", "MergerTimes", "Mode", "ModelDescription", "ModelIdentity", "ModelLoading", "ModelUnknown",
+    "Modes", "NotAcceptable", "NotBnserve", "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain", "Overloaded",
+    "PackageMissing", "ParameterBatch", "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown",
+    "Polarizations", "ProcessorDescription", "QuotaExceeded", "Response", "RowStatus", "RunManifest", "SchemaUnknown",
+    "Seed", "StoreUnknown", "TimeGrid", "TimeMarginalisation", "TimeSeries", "TooLarge", "Unauthorized", "Unavailable",
+    "UndecodableBody", "UniformGrid", "UnsupportedMediaType", "UntrustedAnswer", "VersionExists", "WaveformModel",
+    "__version__", "as_frequencies", "as_numbers", "as_real_number", "as_real_numbers", "check_arms", "check_dtype",
+    "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior",
+    "check_settings", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis", "encode_analysis",
+    "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples", "nothing_integrated", "plain_grid",
+    "plain_options", "predict_time_domain", "printable", "random_numbers", "refuse_rows", "require", "samples_of",
+    "the_mode", "time_domain_steps", "time_steps", "time_until_merger", "turn_to_reference",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

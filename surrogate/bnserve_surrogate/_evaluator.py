@@ -49,6 +49,7 @@ from bnserve_surrogate.kernel import (
     plan_modes,
 )
 from bnserve_surrogate.kernel._evaluate import GridCache, PreparedGrid, is_list
+from bnserve_surrogate.tangents import differentiate
 
 _ALIGNMENTS = {"post_newtonian": 0, "merger": 1}
 _KINDS = {"complex128": Output.POLARIZATIONS, "complex64": Output.POLARIZATIONS_SINGLE}
@@ -201,6 +202,20 @@ class Evaluator:
                 f"There is no memory for {len(coerced)} waveforms on so many frequencies; evaluate fewer rows at a "
                 'time, on fewer frequencies, or with dtype="complex64".'
             ) from error
+
+    def differentiated(
+        self, frequencies: GridLike, batch: ParameterBatch, options: EvaluationOptions
+    ) -> tuple[Answer, NDArray[np.complex128]]:
+        """The modes of N waveforms, and their derivatives, ``(N, L, 6, M)``; errors as :meth:`batch`.
+
+        Those of the reference phase are not among them: it is that of the batch, whatever the options say.
+        """
+        answer = self.batch(frequencies, batch, options, Output.STRAIN)
+        if options.reference_frequency is not None:
+            batch = self._referenced(batch, options)
+        grid = self._grids.prepare(frequencies)
+        h, alignment = answer.first.reshape(len(batch), -1, len(grid.frequencies)), _ALIGNMENTS[options.alignment]
+        return answer, differentiate(self._mode, grid, batch.values, alignment, answer.status, h, self._plan(options))
 
     def _plan(self, options: EvaluationOptions) -> ModePlan | None:
         """How the modes of some options are evaluated; None for the (2, 2) alone."""

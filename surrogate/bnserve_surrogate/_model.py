@@ -13,6 +13,7 @@ from bnserve_protocol import (
     DEFAULT_OPTIONS,
     AmplitudePhase,
     BatchLike,
+    Derivatives,
     EvaluationOptions,
     Factored,
     GridLike,
@@ -33,6 +34,7 @@ from bnserve_protocol import (
 )
 from bnserve_store import Artifact, ModelStore
 from bnserve_surrogate._artifact import MODES, SurrogateMetadata
+from bnserve_surrogate._differentiation import mode_derivatives
 from bnserve_surrogate._environment import describe_run
 from bnserve_surrogate._evaluator import Evaluator
 from bnserve_surrogate._pinning import version_with_digest
@@ -242,6 +244,20 @@ class Model:
             status=answer.status,
             estimated_mismatch=answer.estimates,
         )
+
+    def predict_derivatives(
+        self, frequencies: GridLike, batch: BatchLike, *, options: EvaluationOptions = DEFAULT_OPTIONS
+    ) -> Derivatives:
+        """N waveforms by their modes, with the derivatives of each: exact ones, of what :meth:`predict_modes` gives.
+
+        With respect to mass ratio, tides, spins and total mass, complex ``(N, L, 6, M)``; its
+        ``polarizations()`` has all ten parameters, and :func:`bnserve_protocol.coordinate_jacobian` other coordinates.
+        Where tides are weaker than the least ones trained on (1.5) only the baseline changes with them. A step in
+        Lambda across 1, below which a star has the quadrupole of a black hole, is no slope: to either side it has its
+        own. Errors as :meth:`predict`, and InvalidRequest of a model whose regressor is a network.
+        """
+        check_options(options)
+        return mode_derivatives(self._evaluator, frequencies, batch, options)
 
     def predict_factored(
         self,

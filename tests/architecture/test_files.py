@@ -59,6 +59,7 @@ NAMED_BY_OTHERS = {
     "inference/bnserve_inference/moving_kernel/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/kernel/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/precession/build.py": "run with `python -m`",
+    "surrogate/bnserve_surrogate/tangents/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/joblib_workers.py": "used by inference",
 }
 """Public modules of packages that are an API, and why."""

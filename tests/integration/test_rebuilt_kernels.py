@@ -13,6 +13,7 @@ import bnserve_inference.modes_kernel._contraction as contraction_of_modes
 import bnserve_surrogate.kernel._evaluate as surrogate
 import bnserve_surrogate.kernel._loader as loader
 import bnserve_surrogate.precession._twist as precession
+import bnserve_surrogate.tangents._call as tangents
 from bnserve_inference import likelihood
 from bnserve_protocol import Calibration, EvaluationOptions, ParameterBatch
 from bnserve_surrogate import Model
@@ -80,6 +81,16 @@ def test_the_precession_is_what_its_sources_compile_to(tmp_path, monkeypatch):
         anew = model.predict_batch(f, batch, options=options)
     assert_close(shipped.plus, anew.plus)
     assert_close(shipped.cross, anew.cross)
+
+
+def test_the_derivatives_are_what_their_sources_compile_to(tmp_path, monkeypatch):
+    file = rebuilt("bnserve_surrogate.tangents.build", tangents.ASSEMBLY, tmp_path)
+    again = loader.load_assembly(file, tangents.ENTRY_POINT, vectorise=False)
+    model, f, batch = Model.default(), np.geomspace(3.0, 2700.0, 300), ParameterBatch(random_batch(11))
+    shipped = model.predict_derivatives(f, batch).derivatives
+    with monkeypatch.context() as patch:
+        patch.setattr(tangents, "load_tangents", lambda: again)
+        assert_close(shipped, model.predict_derivatives(f, batch).derivatives)
 
 
 def test_the_contraction_is_what_its_sources_compile_to(tmp_path, monkeypatch):

@@ -129,7 +129,8 @@ def add_tidal_phase(mass_fraction: Scalars, tidal_deformability: Scalars, out: C
     Tanaka 2021 (arXiv:2106.09193), eq. (4), and LALSimulation: the expression is the same for both stars.
     """
     x = mass_fraction
-    scale = -24.0 * x**4 * tidal_deformability
+    square = x * x
+    scale = -24.0 * (square * square) * tidal_deformability
     out[0, 10] += scale * (12.0 - 11.0 * x)
     out[0, 12] += scale * 5.0 / 672.0 * (3179.0 - x * (919.0 + x * (2286.0 - 260.0 * x)))
     out[0, 13] += -pi * scale * (12.0 - 11.0 * x)
@@ -146,9 +147,14 @@ def spin_induced_quadrupole(tidal_deformability: Scalars) -> Scalars:
     arXiv:1806.01772, eq. (41)); LALSimulation has the fit of 2017, 2e-3 away. As in TEOBResumS, a body with Lambda <= 1
     is a black hole, C_Q = 1.
     """
-    y = np.log(np.maximum(tidal_deformability, 1.0))
-    fit = 0.194 + y * (0.0936 + y * (0.0474 + y * (-4.21e-3 + y * 1.23e-4)))
+    fit = quadrupole_fit(np.log(np.maximum(tidal_deformability, 1.0)))
     return np.exp(fit * (tidal_deformability > 1.0))
+
+
+@register_jitable(error_model="numpy")
+def quadrupole_fit(y: Scalars) -> Scalars:
+    """The logarithm of C_Q as a function of that of Lambda."""
+    return 0.194 + y * (0.0936 + y * (0.0474 + y * (-4.21e-3 + y * 1.23e-4)))
 
 
 def evaluate_phase(mf: FloatArray, coefficients: FloatArray) -> FloatArray:

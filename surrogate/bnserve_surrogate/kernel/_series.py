@@ -30,7 +30,7 @@ _STRAIN = SOLAR_MASS_SECONDS**2 / MEGAPARSEC_SECONDS
 
 
 @njit(**JIT_OPTIONS)
-def _legendre(mf: float, series: Any) -> float:
+def legendre(mf: float, series: Any) -> float:
     """Psi - f dPsi/df of the baseline: what a phase that starts from zero at ``mf`` has for a constant.
 
     In the stationary-phase approximation Psi(f) = 2 pi f t(f) - phi(t(f)), where 2 pi t(f) = dPsi/df, so the
@@ -49,6 +49,20 @@ def _legendre(mf: float, series: Any) -> float:
 
 
 @njit(**JIT_OPTIONS)
+def fill_phase_powers(unit: float, series: Any, plain: Floats, logarithmic: Floats) -> None:
+    """A phase's coefficients, ``(3, 16)``, in powers of v and log v, as those of x^(1/3) and log x: 16 and 8."""
+    scale = (np.pi * unit) ** (1.0 / 3.0)
+    log_scale = np.log(scale)
+    power = 1.0 / (scale * scale * scale * scale * scale)
+    for k in range(PHASE_POWERS):
+        plain[k] = power * (series[0, k] + log_scale * (series[1, k] + log_scale * series[2, k]))
+        if 5 <= k <= 11:
+            logarithmic[k - 5] = power * (series[1, k] + 2.0 * log_scale * series[2, k]) / 3.0
+        power *= scale
+    logarithmic[7] = np.pi * unit * series[2, 8] / 9.0
+
+
+@njit(**JIT_OPTIONS)
 def fill_series(
     row: Floats, unit: float, band: Floats, gauge: Floats, alignment: int, room: Floats, out: Floats
 ) -> float:
@@ -61,7 +75,6 @@ def fill_series(
     total_mass = row[Column.TOTAL_MASS]
     work = floats_in(room, 0, (PHASE_LOG_POWERS, PHASE_POWERS))
     scale = (np.pi * unit) ** (1.0 / 3.0)
-    log_scale = np.log(scale)
     strain = _STRAIN * mass_scale(mass_ratio) * (total_mass * total_mass) / row[Column.DISTANCE]
     amplitude_coefficients(mass_ratio, chi_1, chi_2, out)
     power = strain * amplitude_prefactor(mass_ratio) / (scale * scale * scale * np.sqrt(scale))
@@ -69,17 +82,11 @@ def fill_series(
         out[k] *= power
         power *= scale
     phase_coefficients(mass_ratio, chi_1, chi_2, row[Column.LAMBDA_1], row[Column.LAMBDA_2], work)
-    plain, logarithmic = out[AMPLITUDE_POWERS:], out[AMPLITUDE_POWERS + PHASE_POWERS :]
-    power = 1.0 / (scale * scale * scale * scale * scale)
-    for k in range(PHASE_POWERS):
-        plain[k] = power * (work[0, k] + log_scale * (work[1, k] + log_scale * work[2, k]))
-        if 5 <= k <= 11:
-            logarithmic[k - 5] = power * (work[1, k] + 2.0 * log_scale * work[2, k]) / 3.0
-        power *= scale
-    logarithmic[7] = np.pi * unit * work[2, 8] / 9.0
+    logarithmic = out[AMPLITUDE_POWERS + PHASE_POWERS :]
+    fill_phase_powers(unit, work, out[AMPLITUDE_POWERS:], logarithmic)
     logarithmic[8] = row[Column.REFERENCE_PHASE] - gauge[2 * alignment]
     if alignment == 1 and band[2] > 0.0:
-        logarithmic[8] += _legendre(band[2], work)
+        logarithmic[8] += legendre(band[2], work)
     logarithmic[9] = (
         2.0 * np.pi * row[Column.TIME_SHIFT] * (unit / (total_mass * SOLAR_MASS_SECONDS))
         - gauge[2 * alignment + 1] * unit

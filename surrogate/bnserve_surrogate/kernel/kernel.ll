@@ -1,4 +1,4 @@
-; sources: 455f3aaf860085be9ecdb0203fed92630d16bf874d1dad79ffb68bff0f21d110
+; sources: 217f63c2d1df41d60730a6c5e42ccddcfbe0afcc4f0ff1dec23a1afd5abc5f22
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -1447,7 +1447,7 @@ B900:                                             ; preds = %entry
   br label %B984
 
 B984:                                             ; preds = %B900, %entry
-  %prepared_grid_v499__vphi308_0.2.0 = phi double [ %.488, %B900 ], [ 0.000000e+00, %entry ]
+  %prepared_grid_v501__vphi308_0.2.0 = phi double [ %.488, %B900 ], [ 0.000000e+00, %entry ]
   %.528 = getelementptr i8, ptr %arg.arguments.4, i64 48
   %.529 = load i64, ptr %.528, align 8
   %.770 = getelementptr i8, ptr %arg.contents.4, i64 56
@@ -1537,28 +1537,28 @@ B1258:                                            ; preds = %B1246
   %cond = icmp eq i32 %.4996, 0
   br i1 %cond, label %B1258.endif, label %B1258.if, !prof !0
 
-B1390:                                            ; preds = %B1246, %B1246.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1246.thread ], [ %.4549, %B1246 ]
-  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1246.thread ], [ false, %B1246 ]
+B1390:                                            ; preds = %B1246, %B1246.thread, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454917 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454912, %B1246.thread ], [ %.4549, %B1246 ]
+  %"$phi984.0.3.014" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ false, %B1246.thread ], [ false, %B1246 ]
   store double 0.000000e+00, ptr %.5198, align 8
   %.5212 = call fastcc i32 @inner_11(ptr nonnull %.5198, ptr nonnull %excinfo.36, ptr %arg.row.4, double %.3595, ptr nonnull %.3653, ptr nonnull %.1031, i64 %.186, ptr %.1615, ptr %arg.scratch.4)
   %.5222 = load double, ptr %.5198, align 8
   %cond1 = icmp eq i32 %.5212, 0
   br i1 %cond1, label %B1390.endif, label %B1390.if, !prof !0
 
-B1448:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+B1448:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
   %.5634 = load i64, ptr %.770, align 8
   %.135.i542 = load double, ptr %.402, align 8, !noalias !15
   %.143.i543 = add nsw i64 %.5634, -2
   %.181.i544 = icmp slt i64 %.5634, 3
   %..143.i545 = select i1 %.181.i544, i64 0, i64 %.143.i543
   %.225207.i546 = icmp sgt i64 %..143.i545, 0
-  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
+  br i1 %.225207.i546, label %B92.if.preheader.i550, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585
 
-B1636:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
-  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
-  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+B1636:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  %.454916 = phi ptr [ %.4549, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.454917, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %"$phi984.0.3.013" = phi i1 [ true, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %"$phi984.0.3.014", %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
+  %constant.2.1 = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585 ], [ %.5222, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541 ]
   %7 = add nuw i64 %.126, 1023
   %.5849 = lshr i64 %7, 10
   %.5828.inv = icmp slt i64 %.126, 1
@@ -2134,7 +2134,7 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4Crv
   %.3793.le = tail call contract double @llvm.log.f64(double %.3785)
   %.3798 = fsub contract double %.3793.le, %.3607.le
   store i64 0, ptr %.3844, align 8
-  call fastcc void @inner_14(ptr nonnull %.3844, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v499__vphi308_0.2.0, double %.3798)
+  call fastcc void @inner_14(ptr nonnull %.3844, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v501__vphi308_0.2.0, double %.3798)
   %.3862 = load i64, ptr %.3844, align 8
   %.3934 = getelementptr i8, ptr %.3653, i64 8
   %.3935 = load double, ptr %.3934, align 8
@@ -2142,16 +2142,16 @@ _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4Crv
   %.3948.le = tail call contract double @llvm.log.f64(double %.3940)
   %.3953 = fsub contract double %.3948.le, %.3607.le
   store i64 0, ptr %.3999, align 8
-  call fastcc void @inner_14(ptr nonnull %.3999, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v499__vphi308_0.2.0, double %.3953)
+  call fastcc void @inner_14(ptr nonnull %.3999, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v501__vphi308_0.2.0, double %.3953)
   %.4017 = load i64, ptr %.3999, align 8
   %.4074 = fsub contract double 0xC0126BB1BBB55515, %.3607.le
   store i64 0, ptr %.4120, align 8
-  call fastcc void @inner_14(ptr nonnull %.4120, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v499__vphi308_0.2.0, double %.4074)
+  call fastcc void @inner_14(ptr nonnull %.4120, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v501__vphi308_0.2.0, double %.4074)
   %.4138 = load i64, ptr %.4120, align 8
   %.13.i485 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4138)
   %.4233 = fsub contract double 0xC00F4BD2B7AC1BAF, %.3607.le
   store i64 0, ptr %.4279, align 8
-  call fastcc void @inner_14(ptr nonnull %.4279, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v499__vphi308_0.2.0, double %.4233)
+  call fastcc void @inner_14(ptr nonnull %.4279, ptr %.402, i64 %.126, ptr %68, i64 %.296, double %prepared_grid_v501__vphi308_0.2.0, double %.4233)
   %.4297 = load i64, ptr %.4279, align 8
   %.13.i486 = tail call i64 @llvm.smin.i64(i64 %.4017, i64 %.4297)
   %.4457 = load i64, ptr %.929, align 8
@@ -2178,7 +2178,7 @@ B1258.endif:                                      ; preds = %B1258
   %.181.i = icmp slt i64 %.5078, 2
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
 B92.if.preheader.i:                               ; preds = %B1258.endif
   %69 = add i64 %.4017, -1
@@ -2189,7 +2189,7 @@ B92.if.preheader.i:                               ; preds = %B1258.endif
 
 B146.i:                                           ; preds = %B92.if.i
   %.291.i = fsub contract double %.281.i, %.135.i
-  %.293.i = fmul contract double %prepared_grid_v499__vphi308_0.2.0, %.291.i
+  %.293.i = fmul contract double %prepared_grid_v501__vphi308_0.2.0, %.291.i
   %.5.i.i = fptosi double %.293.i to i64
   %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i)
   %.354.i = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i
@@ -2223,7 +2223,7 @@ B386.i:                                           ; preds = %B346.i, %B324.i, %B
   %73 = getelementptr i64, ptr %.1529, i64 %.231203208.i
   store i64 %.13.i.i490, ptr %73, align 8, !noalias !33
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
@@ -2235,7 +2235,7 @@ B92.if.i:                                         ; preds = %B386.i, %B92.if.pre
   %.287.i488 = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i488, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1258.endif
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B1258.endif
   %.586.inv.i = icmp sgt i64 %.5078, 0
   %.587.i = select i1 %.586.inv.i, i64 0, i64 %.973
   %74 = getelementptr i64, ptr %.1529, i64 %.143.i
@@ -2256,7 +2256,7 @@ B1390.endif:                                      ; preds = %B1390
   %.181.i500 = icmp slt i64 %.5439, 3
   %..143.i501 = select i1 %.181.i500, i64 0, i64 %.143.i499
   %.225207.i502 = icmp sgt i64 %..143.i501, 0
-  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
+  br i1 %.225207.i502, label %B92.if.preheader.i506, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541
 
 B92.if.preheader.i506:                            ; preds = %B1390.endif
   %75 = add i64 %.4017, -1
@@ -2267,7 +2267,7 @@ B92.if.preheader.i506:                            ; preds = %B1390.endif
 
 B146.i515:                                        ; preds = %B92.if.i507
   %.291.i516 = fsub contract double %.281.i513, %.135.i498
-  %.293.i517 = fmul contract double %prepared_grid_v499__vphi308_0.2.0, %.291.i516
+  %.293.i517 = fmul contract double %prepared_grid_v501__vphi308_0.2.0, %.291.i516
   %.5.i.i518 = fptosi double %.293.i517 to i64
   %.13.i5.i519 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i518)
   %.354.i520 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i519
@@ -2301,7 +2301,7 @@ B386.i524:                                        ; preds = %B346.i535, %B324.i5
   %79 = getelementptr i64, ptr %.1466, i64 %.231203208.i509
   store i64 %.13.i.i526, ptr %79, align 8, !noalias !36
   %exitcond216.not.i527 = icmp eq i64 %.238.i510, %..143.i501
-  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
+  br i1 %exitcond216.not.i527, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541, label %B92.if.i507
 
 B92.if.i507:                                      ; preds = %B386.i524, %B92.if.preheader.i506
   %end.3.0210.i508 = phi i64 [ %end.4.1.i525, %B386.i524 ], [ 0, %B92.if.preheader.i506 ]
@@ -2315,7 +2315,7 @@ B92.if.i507:                                      ; preds = %B386.i524, %B92.if.
   %.287.i514 = fcmp contract ult double %.281.i513, %.135.i498
   br i1 %.287.i514, label %B386.i524, label %B146.i515
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1390.endif
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit541: ; preds = %B386.i524, %B1390.endif
   %.586.inv.i503 = icmp sgt i64 %.5439, 1
   %.587.i504 = select i1 %.586.inv.i503, i64 0, i64 %.888
   %80 = getelementptr i64, ptr %.1466, i64 %.143.i499
@@ -2334,7 +2334,7 @@ B92.if.preheader.i550:                            ; preds = %B1448
 
 B146.i559:                                        ; preds = %B92.if.i551
   %.291.i560 = fsub contract double %.281.i557, %.135.i542
-  %.293.i561 = fmul contract double %prepared_grid_v499__vphi308_0.2.0, %.291.i560
+  %.293.i561 = fmul contract double %prepared_grid_v501__vphi308_0.2.0, %.291.i560
   %.5.i.i562 = fptosi double %.293.i561 to i64
   %.13.i5.i563 = tail call i64 @llvm.smin.i64(i64 %.296, i64 %.5.i.i562)
   %.354.i564 = getelementptr inbounds i64, ptr %68, i64 %.13.i5.i563
@@ -2368,7 +2368,7 @@ B386.i568:                                        ; preds = %B346.i579, %B324.i5
   %85 = getelementptr i64, ptr %.1403, i64 %.231203208.i553
   store i64 %.13.i.i570, ptr %85, align 8, !noalias !15
   %exitcond216.not.i571 = icmp eq i64 %.238.i554, %..143.i545
-  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
+  br i1 %exitcond216.not.i571, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585, label %B92.if.i551
 
 B92.if.i551:                                      ; preds = %B386.i568, %B92.if.preheader.i550
   %end.3.0210.i552 = phi i64 [ %end.4.1.i569, %B386.i568 ], [ 0, %B92.if.preheader.i550 ]
@@ -2382,7 +2382,7 @@ B92.if.i551:                                      ; preds = %B386.i568, %B92.if.
   %.287.i558 = fcmp contract ult double %.281.i557, %.135.i542
   br i1 %.287.i558, label %B386.i568, label %B146.i559
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1448
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit585: ; preds = %B386.i568, %B1448
   %.586.inv.i547 = icmp sgt i64 %.5634, 1
   %.587.i548 = select i1 %.586.inv.i547, i64 0, i64 %.814
   %86 = getelementptr i64, ptr %.1403, i64 %.143.i543
@@ -2411,7 +2411,7 @@ select.true.sink.i.i:                             ; preds = %B94.i
   %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
   %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
   %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v362B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
 select.false.sink.i.i:                            ; preds = %B94.i
   %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
@@ -2422,9 +2422,9 @@ select.false.sink.i.i:                            ; preds = %B94.i
   %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
   %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
   %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v362B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v362B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
   %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
   %.65.i.i = shl i64 %.56.i.i, 62
   %.66.i.i = add i64 %.65.i.i, 4611686018427387904
@@ -2436,8 +2436,8 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %.266.i598 = fmul contract double %.1111, %.89.i.i
   br label %B144.i
 
-B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-  %"$phi144.1.2.1.i" = phi double [ %.266.i598, %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
+B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v362B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %"$phi144.1.2.1.i" = phi double [ %.266.i598, %_ZN17bnserve_surrogate6kernel7_points4stepB4v362B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
   %scevgep19 = getelementptr i8, ptr %scevgep, i64 %89
   %scevgep20 = getelementptr i8, ptr %scevgep19, i64 -8256
   store double %"$phi144.1.2.1.i", ptr %scevgep20, align 8, !noalias !39
@@ -5022,7 +5022,7 @@ B0.endif.endif.endif.endi...endif.2.endif.endif:  ; preds = %B34.if.i, %B0.endif
   call fastcc void @inner_12(ptr nonnull %.1386, ptr %.612, ptr %.735, ptr %.1335, i64 %low.4.1.i813, i64 %low.4.1.i4714, i64 %.237, double 1.000000e+00, ptr %arg.series.4, double %.1199, ptr %arg.work.4, ptr %.866)
   %13 = icmp slt i64 %.132, 1
   %.1508 = getelementptr inbounds double, ptr %arg.polynomials_a.4, i64 %.236
-  br i1 %13, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B64.if.i.preheader
+  br i1 %13, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B64.if.i.preheader
 
 B64.if.i.preheader:                               ; preds = %B0.endif.endif.endif.endi...endif.2.endif.endif
   %14 = shl i64 %.267, 3
@@ -5125,15 +5125,15 @@ B34.if.i84:                                       ; preds = %B34.if.i84, %B34.if
   %lsr.iv.next.i116 = add nuw i64 %lsr.iv.i86, 8
   %ov = icmp eq i64 %lsr.iv7, -1
   %lsr.iv.next8 = add i64 %lsr.iv7, 1
-  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B34.if.i84
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119, label %B34.if.i84
 
-_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119: ; preds = %B34.if.i84, %B0.endif.endif.endif.endi...endif.2.endif.endif
+_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119: ; preds = %B34.if.i84, %B0.endif.endif.endif.endi...endif.2.endif.endif
   %.1167.i = and i64 %.132, 2305843009213693951
   %.1189570.not574.i = icmp eq i64 %.1167.i, 0
   %.1189570.not.i = or i1 %13, %.1189570.not574.i
   br i1 %.1189570.not.i, label %B0.endif.endif.endif.endi...endif.5, label %B484.if.lr.ph.i
 
-B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
+B484.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
   %.1794.idx = mul i64 %.162, 192
   %.1725 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 192
   %.1661 = getelementptr inbounds nuw i8, ptr %arg.series.4, i64 64
@@ -5310,7 +5310,7 @@ B484.if.i:                                        ; preds = %B484.if.i, %B484.if
   %.1189.i = icmp sgt i64 %lsr.iv5, 7
   br i1 %.1189.i, label %B484.if.i, label %B64.if.i146.preheader
 
-B0.endif.endif.endif.endi...endif.5:              ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
+B0.endif.endif.endif.endi...endif.5:              ; preds = %_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit119
   br i1 %13, label %B0.endif.endif.endif.endi...endif.5.endif.endif, label %B64.if.i146.preheader
 
 B64.if.i146.preheader:                            ; preds = %B484.if.i, %B0.endif.endif.endif.endi...endif.5
@@ -5375,16 +5375,15 @@ entry:
   %.206 = load double, ptr %.205, align 8
   %.305 = fmul contract double %arg.unit, 0x400921FB54442D18
   %.306 = tail call contract double @llvm.pow.f64(double %.305, double 0x3FD5555555555555)
-  %.318.le = tail call contract double @llvm.log.f64(double %.306)
   %.5.i = fadd contract double %.107, 1.000000e+00
-  %.147.i.i9 = fmul contract double %.5.i, %.5.i
-  %.35.i = fdiv contract double %.107, %.147.i.i9
-  %.351 = fmul contract double %.35.i, 0x3AD23C9F83511538
-  %.354 = fmul contract double %.206, %.206
-  %.355 = fmul contract double %.354, %.351
-  %.384 = getelementptr i8, ptr %arg.row.4, i64 40
-  %.385 = load double, ptr %.384, align 8
-  %.389 = fdiv contract double %.355, %.385
+  %.147.i.i4 = fmul contract double %.5.i, %.5.i
+  %.35.i = fdiv contract double %.107, %.147.i.i4
+  %.335 = fmul contract double %.35.i, 0x3AD23C9F83511538
+  %.338 = fmul contract double %.206, %.206
+  %.339 = fmul contract double %.338, %.335
+  %.368 = getelementptr i8, ptr %arg.row.4, i64 40
+  %.369 = load double, ptr %.368, align 8
+  %.373 = fdiv contract double %.339, %.369
   %.54.i = fsub contract double %.137, %.167
   %.147.i.i1 = fmul contract double %.54.i, %.54.i
   %.45.i = fadd contract double %.107, -1.000000e+00
@@ -5415,17 +5414,17 @@ entry:
   %.236.i = getelementptr i8, ptr %arg.out.4, i64 32
   %.267.i = fmul contract double %.35.i, 6.000000e+00
   %.268.i = fadd contract double %.267.i, -1.531250e+00
-  %.269.i = fmul contract double %.268.i, %.81.i
+  %.269.i2 = fmul contract double %.268.i, %.81.i
   %.270.i = fmul contract double %.55.i, 3.062500e+00
   %.271.i = fmul contract double %.52.i, %.270.i
-  %.272.i = fsub contract double %.269.i, %.271.i
+  %.272.i = fsub contract double %.269.i2, %.271.i
   %.273.i = fadd contract double %.208.i, %.272.i
   %.147.i15.i = fmul contract double %.52.i, %.52.i
   %.335.i = fmul contract double %.35.i, 1.250000e-01
   %.336.i = fadd contract double %.335.i, -1.531250e+00
   %.361.i = fmul contract double %.336.i, %.147.i15.i
-  %.362.i2 = fadd contract double %.361.i, %.273.i
-  store double %.362.i2, ptr %.236.i, align 8, !noalias !98
+  %.362.i3 = fadd contract double %.361.i, %.273.i
+  store double %.362.i3, ptr %.236.i, align 8, !noalias !98
   %.393.i = fmul contract double %.35.i, 4.000000e+00
   %.394.i = fsub contract double 1.000000e+00, %.393.i
   %.395.i = fmul contract double %.394.i, 0x4010B090E5F545F2
@@ -5443,7 +5442,7 @@ entry:
   store double %.463.i, ptr %.427.i, align 8, !noalias !98
   %.519.i = fmul contract double %.35.i, 0x4050B13F2FF5EE90
   %.520.i = fadd contract double %.519.i, 0xC034AE5A84540D99
-  %.548.i = getelementptr i8, ptr %arg.out.4, i64 48
+  %.548.i4 = getelementptr i8, ptr %arg.out.4, i64 48
   %.147.i39.i = fmul contract double %.35.i, %.35.i
   %.603.i = fmul contract double %.35.i, 0x401597306EFC97DE
   %.604.i = fadd contract double %.603.i, 0xC0322AE304374842
@@ -5455,13 +5454,13 @@ entry:
   %.668.i = fmul contract double %.52.i, %.667.i
   %.669.i = fadd contract double %.665.i, %.668.i
   %.670.i = fmul contract double %.669.i, 0x400921FB54442D18
-  %.671.i = fadd contract double %.606.i, %.670.i
+  %.671.i5 = fadd contract double %.606.i, %.670.i
   %.730.i = fmul contract double %.35.i, 0x4017618618618618
   %.731.i = fadd contract double %.730.i, 0x404C130E38E38E39
   %.732.i = fmul contract double %.35.i, %.731.i
   %.733.i = fadd contract double %.732.i, 0xC02B20D145145145
   %.734.i = fmul contract double %.81.i, %.733.i
-  %.735.i = fadd contract double %.734.i, %.671.i
+  %.735.i = fadd contract double %.734.i, %.671.i5
   %.794.i = fmul contract double %.35.i, 0x4043F51861861862
   %.795.i = fadd contract double %.794.i, 0xC03B20D145145145
   %.796.i = fmul contract double %.55.i, %.795.i
@@ -5473,7 +5472,7 @@ entry:
   %.860.i = fadd contract double %.859.i, 0xC02B20D145145145
   %.885.i = fmul contract double %.147.i15.i, %.860.i
   %.886.i = fadd contract double %.885.i, %.798.i
-  store double %.886.i, ptr %.548.i, align 8, !noalias !98
+  store double %.886.i, ptr %.548.i4, align 8, !noalias !98
   %.916.i = fmul contract double %.35.i, 0x402001CC877321DD
   %.917.i = fsub contract double 0x403044E0D8B8362E, %.916.i
   %.918.i = fmul contract double %.35.i, %.917.i
@@ -5483,72 +5482,72 @@ entry:
   store double %.920.i, ptr %.948.i, align 8, !noalias !98
   %.39.i = fdiv contract double 0x3FE4F1A6C638D03F, %.35.i
   %.47.i = tail call contract double @sqrt(double %.39.i)
-  %.449 = fmul contract double %.389, %.47.i
-  %.452 = fmul contract double %.306, %.306
-  %.454 = fmul contract double %.306, %.452
-  %.463 = tail call contract double @sqrt(double %.306)
-  %.468 = fmul contract double %.454, %.463
-  %.472 = fdiv contract double %.449, %.468
-  store double %.472, ptr %arg.out.4, align 8
-  %.657 = fmul contract double %.306, %.472
-  %.624.1 = fmul contract double %.657, 0.000000e+00
-  store double %.624.1, ptr %.138.i, align 8
-  %.657.1 = fmul contract double %.306, %.657
-  %.624.2 = fmul contract double %.141.i, %.657.1
-  store double %.624.2, ptr %.169.i, align 8
-  %.657.2 = fmul contract double %.306, %.657.1
-  %.624.3 = fmul contract double %.175.i, %.657.2
-  store double %.624.3, ptr %.203.i, align 8
-  %.657.3 = fmul contract double %.306, %.657.2
-  %.624.4 = fmul contract double %.362.i2, %.657.3
-  store double %.624.4, ptr %.236.i, align 8
-  %.657.4 = fmul contract double %.306, %.657.3
-  %.624.5 = fmul contract double %.463.i, %.657.4
-  store double %.624.5, ptr %.427.i, align 8
-  %.657.5 = fmul contract double %.306, %.657.4
-  %.624.6 = fmul contract double %.886.i, %.657.5
-  store double %.624.6, ptr %.548.i, align 8
-  %.657.6 = fmul contract double %.306, %.657.5
-  %.624.7 = fmul contract double %.920.i, %.657.6
-  store double %.624.7, ptr %.948.i, align 8
-  %.695 = getelementptr i8, ptr %arg.row.4, i64 8
-  %.696 = load double, ptr %.695, align 8
-  %.725 = getelementptr i8, ptr %arg.row.4, i64 16
-  %.726 = load double, ptr %.725, align 8
+  %.433 = fmul contract double %.373, %.47.i
+  %.436 = fmul contract double %.306, %.306
+  %.438 = fmul contract double %.306, %.436
+  %.447 = tail call contract double @sqrt(double %.306)
+  %.452 = fmul contract double %.438, %.447
+  %.456 = fdiv contract double %.433, %.452
+  store double %.456, ptr %arg.out.4, align 8
+  %.641 = fmul contract double %.306, %.456
+  %.608.1 = fmul contract double %.641, 0.000000e+00
+  store double %.608.1, ptr %.138.i, align 8
+  %.641.1 = fmul contract double %.306, %.641
+  %.608.2 = fmul contract double %.141.i, %.641.1
+  store double %.608.2, ptr %.169.i, align 8
+  %.641.2 = fmul contract double %.306, %.641.1
+  %.608.3 = fmul contract double %.175.i, %.641.2
+  store double %.608.3, ptr %.203.i, align 8
+  %.641.3 = fmul contract double %.306, %.641.2
+  %.608.4 = fmul contract double %.362.i3, %.641.3
+  store double %.608.4, ptr %.236.i, align 8
+  %.641.4 = fmul contract double %.306, %.641.3
+  %.608.5 = fmul contract double %.463.i, %.641.4
+  store double %.608.5, ptr %.427.i, align 8
+  %.641.5 = fmul contract double %.306, %.641.4
+  %.608.6 = fmul contract double %.886.i, %.641.5
+  store double %.608.6, ptr %.548.i4, align 8
+  %.641.6 = fmul contract double %.306, %.641.5
+  %.608.7 = fmul contract double %.920.i, %.641.6
+  store double %.608.7, ptr %.948.i, align 8
+  %.681 = getelementptr i8, ptr %arg.row.4, i64 8
+  %.682 = load double, ptr %.681, align 8
+  %.711 = getelementptr i8, ptr %arg.row.4, i64 16
+  %.712 = load double, ptr %.711, align 8
   tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(384) %arg.room.4, i8 0, i64 384, i1 false), !noalias !101
   %.33.i = fdiv contract double %.107, %.5.i
   %.38.i = fdiv contract double 1.000000e+00, %.5.i
-  %.39.i3 = fmul contract double %.33.i, %.38.i
+  %.39.i6 = fmul contract double %.33.i, %.38.i
   store double 1.000000e+00, ptr %arg.room.4, align 8, !noalias !104
   %.183.i.i = getelementptr i8, ptr %arg.room.4, i64 16
-  %.203.i.i = fmul contract double %.39.i3, 0x401871C71C71C71C
+  %.203.i.i = fmul contract double %.39.i6, 0x401871C71C71C71C
   %.204.i.i = fadd contract double %.203.i.i, 0x4013A7F529FD4A7F
   store double %.204.i.i, ptr %.183.i.i, align 8, !noalias !104
   %.308.i.i = getelementptr i8, ptr %arg.room.4, i64 24
   %.309.i.i = load double, ptr %.308.i.i, align 8, !noalias !104
-  %.310.i.i = fadd contract double %.309.i.i, 0xC04921FB54442D18
-  store double %.310.i.i, ptr %.308.i.i, align 8, !noalias !104
+  %.310.i2.i = fadd contract double %.309.i.i, 0xC04921FB54442D18
+  store double %.310.i2.i, ptr %.308.i.i, align 8, !noalias !104
   %.413.i.i = getelementptr i8, ptr %arg.room.4, i64 32
   %.414.i.i = load double, ptr %.413.i.i, align 8, !noalias !104
-  %.454.i2.i = fmul contract double %.39.i3, 0x40456C71C71C71C7
-  %.455.i3.i = fadd contract double %.454.i2.i, 0x404AEDF7DF7DF7DF
-  %.456.i4.i = fmul contract double %.39.i3, %.455.i3.i
-  %.457.i.i = fadd contract double %.456.i4.i, 0x403E1A683B5702A5
+  %.454.i.i = fmul contract double %.39.i6, 0x40456C71C71C71C7
+  %.455.i.i = fadd contract double %.454.i.i, 0x404AEDF7DF7DF7DF
+  %.456.i.i = fmul contract double %.39.i6, %.455.i.i
+  %.457.i.i = fadd contract double %.456.i.i, 0x403E1A683B5702A5
   %.458.i.i = fadd contract double %.457.i.i, %.414.i.i
   store double %.458.i.i, ptr %.413.i.i, align 8, !noalias !104
   %.561.i.i = getelementptr i8, ptr %arg.room.4, i64 168
   %.562.i.i = load double, ptr %.561.i.i, align 8, !noalias !104
-  %.581.i.i = fmul contract double %.39.i3, 0x40510457810E2933
+  %.581.i.i = fmul contract double %.39.i6, 0x40510457810E2933
   %1 = fsub contract double 0x407E1C5F0E074C89, %.581.i.i
   %.583.i.i = fadd contract double %1, %.562.i.i
   store double %.583.i.i, ptr %.561.i.i, align 8, !noalias !104
   %.686.i.i = getelementptr i8, ptr %arg.room.4, i64 48
   %.687.i.i = load double, ptr %.686.i.i, align 8, !noalias !104
-  %.756.i.i = fmul contract double %.39.i3, 0x4058A8587E6B74F0
+  %.756.i.i = fmul contract double %.39.i6, 0x4058A8587E6B74F0
   %2 = fsub contract double 0x404601B425ED097B, %.756.i.i
-  %.758.i.i = fmul contract double %.39.i3, %2
+  %.758.i.i = fmul contract double %.39.i6, %2
   %.759.i.i = fadd contract double %.758.i.i, 0xC0A9D8A41ED3317E
-  %.760.i.i = fmul contract double %.39.i3, %.759.i.i
+  %.760.i.i = fmul contract double %.39.i6, %.759.i.i
   %.761.i.i = fadd contract double %.760.i.i, 0xC071640B49E85C3E
   %.762.i.i = fadd contract double %.761.i.i, %.687.i.i
   store double %.762.i.i, ptr %.686.i.i, align 8, !noalias !104
@@ -5558,37 +5557,37 @@ entry:
   store double %.867.i.i, ptr %.865.i.i, align 8, !noalias !104
   %.970.i.i = getelementptr i8, ptr %arg.room.4, i64 56
   %.971.i.i = load double, ptr %.970.i.i, align 8, !noalias !104
-  %.1011.i.i = fmul contract double %.39.i3, 0x40733B288412FE12
+  %.1011.i.i = fmul contract double %.39.i6, 0x40733B288412FE12
   %3 = fsub contract double 0x408893BEE8443B83, %.1011.i.i
-  %.1013.i.i = fmul contract double %.39.i3, %3
+  %.1013.i.i = fmul contract double %.39.i6, %3
   %.1014.i.i = fadd contract double %.1013.i.i, 0x408DCC10DD757C0B
   %.1015.i.i = fadd contract double %.1014.i.i, %.971.i.i
   store double %.1015.i.i, ptr %.970.i.i, align 8, !noalias !104
   %.1118.i.i = getelementptr i8, ptr %arg.room.4, i64 192
   %.1119.i.i = load double, ptr %.1118.i.i, align 8, !noalias !104
-  %.1225.i.i = fmul contract double %.39.i3, 0x40514C5F3B7242FB
+  %.1225.i.i = fmul contract double %.39.i6, 0x40514C5F3B7242FB
   %.1226.i.i = fadd contract double %.1225.i.i, 0xC05D2FBB067D39F9
-  %.1227.i.i = fmul contract double %.39.i3, %.1226.i.i
+  %.1227.i.i = fmul contract double %.39.i6, %.1226.i.i
   %.1228.i.i = fadd contract double %.1227.i.i, 0xC091A4640F04B974
-  %.1229.i.i = fmul contract double %.39.i3, %.1228.i.i
+  %.1229.i.i = fmul contract double %.39.i6, %.1228.i.i
   %.1230.i.i = fadd contract double %.1229.i.i, 0x40CE3F8117DB38CA
-  %.1231.i.i = fmul contract double %.39.i3, %.1230.i.i
+  %.1231.i.i = fmul contract double %.39.i6, %.1230.i.i
   %.1232.i.i = fadd contract double %.1231.i.i, 0xC0A8D75E6BF57F9D
   %.1233.i.i = fadd contract double %.1232.i.i, %.1119.i.i
   store double %.1233.i.i, ptr %.1118.i.i, align 8, !noalias !104
   %.1336.i.i = getelementptr i8, ptr %arg.room.4, i64 320
   %.1337.i.i = load double, ptr %.1336.i.i, align 8, !noalias !104
-  %.1356.i.i = fmul contract double %.39.i3, 0x409F6EC11CD4D97E
+  %.1356.i.i = fmul contract double %.39.i6, 0x409F6EC11CD4D97E
   %.1357.i.i = fadd contract double %.1356.i.i, 0x4072428A28A28A29
   %.1358.i.i = fadd contract double %.1357.i.i, %.1337.i.i
   store double %.1358.i.i, ptr %.1336.i.i, align 8, !noalias !104
   %.1461.i.i = getelementptr i8, ptr %arg.room.4, i64 72
   %.1462.i.i = load double, ptr %.1461.i.i, align 8, !noalias !104
-  %.1531.i.i = fmul contract double %.39.i3, 0x40645019F9E83A77
+  %.1531.i.i = fmul contract double %.39.i6, 0x40645019F9E83A77
   %.1532.i.i = fadd contract double %.1531.i.i, 0x40918164C0B5D6FD
-  %.1533.i.i = fmul contract double %.39.i3, %.1532.i.i
+  %.1533.i.i = fmul contract double %.39.i6, %.1532.i.i
   %.1534.i.i = fadd contract double %.1533.i.i, 0xC0D6C519D7F78519
-  %.1535.i.i = fmul contract double %.39.i3, %.1534.i.i
+  %.1535.i.i = fmul contract double %.39.i6, %.1534.i.i
   %.1536.i.i = fadd contract double %.1535.i.i, 0x40BB4B9C657BC796
   %.1537.i.i = fadd contract double %.1536.i.i, %.1462.i.i
   store double %.1537.i.i, ptr %.1461.i.i, align 8, !noalias !104
@@ -5596,30 +5595,30 @@ entry:
   %.1641.i.i = load double, ptr %.1640.i.i, align 8, !noalias !104
   %.1642.i.i = fadd contract double %.1641.i.i, 0xC0A001D567F49087
   store double %.1642.i.i, ptr %.1640.i.i, align 8, !noalias !104
-  %.1810.i.i = fmul contract double %.39.i3, 0x40A619E547AE6DA3
+  %.1810.i.i = fmul contract double %.39.i6, 0x40A619E547AE6DA3
   %.1811.i.i = fadd contract double %.1810.i.i, 0xC0D25E7665446D0F
-  %.1812.i.i = fmul contract double %.39.i3, %.1811.i.i
+  %.1812.i.i = fmul contract double %.39.i6, %.1811.i.i
   %.1813.i.i = fadd contract double %.1812.i.i, 0x40E19BDA5330D73F
-  %.1814.i.i = fmul contract double %.39.i3, %.1813.i.i
+  %.1814.i.i = fmul contract double %.39.i6, %.1813.i.i
   %.1815.i.i = fadd contract double %.1814.i.i, 0xC0E154650FD9ACF1
   %.1867.i.i = getelementptr i8, ptr %arg.room.4, i64 80
   %.1868.i.i = load double, ptr %.1867.i.i, align 8, !noalias !104
-  %.1956.i.i = fmul contract double %.39.i3, %.1815.i.i
+  %.1956.i.i = fmul contract double %.39.i6, %.1815.i.i
   %.1957.i.i = fadd contract double %.1956.i.i, 0xC0F5A16228D9F21A
-  %.1958.i.i = fmul contract double %.39.i3, %.1957.i.i
+  %.1958.i.i = fmul contract double %.39.i6, %.1957.i.i
   %.1959.i.i = fadd contract double %.1958.i.i, 0x40ECE30547C08F3B
-  %.1960.i.i = fmul contract double %.39.i3, %.1959.i.i
+  %.1960.i.i = fmul contract double %.39.i6, %.1959.i.i
   %.1961.i.i = fadd contract double %.1960.i.i, 0xC0C172813AB99F84
-  %.1962.i.i = fmul contract double %.39.i3, 3.000000e+00
+  %.1962.i.i = fmul contract double %.39.i6, 3.000000e+00
   %.1963.i.i = fsub contract double 1.000000e+00, %.1962.i.i
   %.1967.i.i = fdiv contract double %.1961.i.i, %.1963.i.i
   %.1968.i.i = fadd contract double %.1967.i.i, %.1868.i.i
   store double %.1968.i.i, ptr %.1867.i.i, align 8, !noalias !104
-  %.2088.i.i = fmul contract double %.39.i3, 0x40C0712C540DB5CD
+  %.2088.i.i = fmul contract double %.39.i6, 0x40C0712C540DB5CD
   %.2089.i.i = fadd contract double %.2088.i.i, 0x40A79A477BF30A91
-  %.2090.i.i = fmul contract double %.39.i3, %.2089.i.i
+  %.2090.i.i = fmul contract double %.39.i6, %.2089.i.i
   %.2091.i.i = fadd contract double %.2090.i.i, 0xC0A4B055B758E414
-  %.2092.i.i = fmul contract double %.39.i3, %.2091.i.i
+  %.2092.i.i = fmul contract double %.39.i6, %.2091.i.i
   %.2093.i.i = fadd contract double %.2092.i.i, 0x406D67FD70A13797
   %.2145.i.i = getelementptr i8, ptr %arg.room.4, i64 208
   %.2146.i.i = load double, ptr %.2145.i.i, align 8, !noalias !104
@@ -5628,19 +5627,19 @@ entry:
   store double %.2153.i.i, ptr %.2145.i.i, align 8, !noalias !104
   %.2256.i.i = getelementptr i8, ptr %arg.room.4, i64 88
   %.2257.i.i = load double, ptr %.2256.i.i, align 8, !noalias !104
-  %.2363.i.i = fmul contract double %.39.i3, 0x402CA90C106318D7
+  %.2363.i.i = fmul contract double %.39.i6, 0x402CA90C106318D7
   %.2364.i.i = fadd contract double %.2363.i.i, 0xC06030460C29F3DF
-  %.2365.i.i = fmul contract double %.39.i3, %.2364.i.i
+  %.2365.i.i = fmul contract double %.39.i6, %.2364.i.i
   %.2366.i.i = fadd contract double %.2365.i.i, 0x40D015D04F4BC5D2
-  %.2367.i.i = fmul contract double %.39.i3, %.2366.i.i
+  %.2367.i.i = fmul contract double %.39.i6, %.2366.i.i
   %.2368.i.i = fadd contract double %.2367.i.i, 0xC0E536054A2E10AB
-  %.2369.i.i = fmul contract double %.39.i3, %.2368.i.i
+  %.2369.i.i = fmul contract double %.39.i6, %.2368.i.i
   %.2370.i.i = fadd contract double %.2369.i.i, 0x40C95DBCC2240A74
   %.2371.i.i = fadd contract double %.2370.i.i, %.2257.i.i
   store double %.2371.i.i, ptr %.2256.i.i, align 8, !noalias !104
   %.2474.i.i = getelementptr i8, ptr %arg.room.4, i64 216
   %.2475.i.i = load double, ptr %.2474.i.i, align 8, !noalias !104
-  %.2494.i.i = fmul contract double %.39.i3, 0x40BD257CD0AE1310
+  %.2494.i.i = fmul contract double %.39.i6, 0x40BD257CD0AE1310
   %4 = fsub contract double 0xC09600901EF7C9A4, %.2494.i.i
   %.2496.i.i = fadd contract double %4, %.2475.i.i
   store double %.2496.i.i, ptr %.2474.i.i, align 8, !noalias !104
@@ -5650,7 +5649,7 @@ entry:
   %.80.i.i = fmul contract double %.33.i, 0x4029555555555555
   %.81.i.i = fadd contract double %.80.i.i, 2.500000e+01
   %.82.i.i = fmul contract double %.26.i.i, %.81.i.i
-  %.83.i.i = fadd contract double %.82.i.i, %.310.i.i
+  %.83.i.i = fadd contract double %.82.i.i, %.310.i2.i
   store double %.83.i.i, ptr %.308.i.i, align 8, !noalias !107
   %5 = getelementptr i8, ptr %arg.room.4, i64 128
   %.188.i.i = fmul contract double %.26.i.i, 3.000000e+00
@@ -5685,249 +5684,249 @@ entry:
   %.423.i.i = fmul contract double %.26.i.i, %.422.i.i
   %.424.i.i = fadd contract double %.423.i.i, %.1015.i.i
   store double %.424.i.i, ptr %.970.i.i, align 8, !noalias !107
-  %.24.i7.i = fsub contract double 1.000000e+00, %.38.i
-  %.25.i8.i = fmul contract double %.38.i, %.24.i7.i
-  %.26.i9.i = fmul contract double %.38.i, %.167
-  %.80.i12.i = fmul contract double %.38.i, 0x4029555555555555
-  %.81.i13.i = fadd contract double %.80.i12.i, 2.500000e+01
-  %.82.i14.i = fmul contract double %.26.i9.i, %.81.i13.i
-  %.83.i15.i = fadd contract double %.82.i14.i, %.83.i.i
-  store double %.83.i15.i, ptr %.308.i.i, align 8, !noalias !110
-  %.188.i18.i = fmul contract double %.26.i9.i, 3.000000e+00
-  %.189.i19.i = fmul contract double %.25.i8.i, 0x400AAAAAAAAAAAAB
-  %.190.i20.i = fsub contract double 0x4064B4F3CF3CF3CF, %.189.i19.i
-  %.191.i21.i = fmul contract double %.25.i8.i, 0x4032E38E38E38E39
-  %.192.i22.i = fadd contract double %.191.i21.i, 0x4063B0FCD6E9E065
-  %.193.i23.i = fmul contract double %.38.i, %.192.i22.i
-  %.194.i24.i = fadd contract double %.190.i20.i, %.193.i23.i
-  %.195.i25.i = fmul contract double %.188.i18.i, %.194.i24.i
-  %7 = fsub contract double %6, %.195.i25.i
+  %.24.i5.i = fsub contract double 1.000000e+00, %.38.i
+  %.25.i6.i = fmul contract double %.38.i, %.24.i5.i
+  %.26.i7.i = fmul contract double %.38.i, %.167
+  %.80.i10.i = fmul contract double %.38.i, 0x4029555555555555
+  %.81.i11.i = fadd contract double %.80.i10.i, 2.500000e+01
+  %.82.i12.i = fmul contract double %.26.i7.i, %.81.i11.i
+  %.83.i13.i = fadd contract double %.82.i12.i, %.83.i.i
+  store double %.83.i13.i, ptr %.308.i.i, align 8, !noalias !110
+  %.188.i16.i = fmul contract double %.26.i7.i, 3.000000e+00
+  %.189.i17.i = fmul contract double %.25.i6.i, 0x400AAAAAAAAAAAAB
+  %.190.i18.i = fsub contract double 0x4064B4F3CF3CF3CF, %.189.i17.i
+  %.191.i19.i = fmul contract double %.25.i6.i, 0x4032E38E38E38E39
+  %.192.i20.i = fadd contract double %.191.i19.i, 0x4063B0FCD6E9E065
+  %.193.i21.i = fmul contract double %.38.i, %.192.i20.i
+  %.194.i22.i = fadd contract double %.190.i18.i, %.193.i21.i
+  %.195.i23.i = fmul contract double %.188.i16.i, %.194.i22.i
+  %7 = fsub contract double %6, %.195.i23.i
   store double %7, ptr %.561.i.i, align 8, !noalias !110
-  %.301.i28.i = fmul contract double %.26.i9.i, 0x400921FB54442D18
-  %.302.i29.i = fmul contract double %.38.i, 2.600000e+02
-  %.303.i30.i = fadd contract double %.302.i29.i, 0x407F0AAAAAAAAAAB
-  %.304.i31.i = fmul contract double %.303.i30.i, %.301.i28.i
-  %.305.i32.i = fadd contract double %.304.i31.i, %.305.i.i
-  store double %.305.i32.i, ptr %.686.i.i, align 8, !noalias !110
-  %.357.i33.i = fmul contract double %.25.i8.i, 0x4020F1C71C71C71C
-  %.358.i34.i = fsub contract double 0x40C10436B015AC05, %.357.i33.i
-  %.359.i35.i = fmul contract double %.25.i8.i, %.358.i34.i
-  %.360.i36.i = fadd contract double %.359.i35.i, 0xC0C7044BD0923320
-  %.361.i37.i = fmul contract double %.25.i8.i, 0x404070E38E38E38E
-  %.362.i38.i = fadd contract double %.361.i37.i, 0x40B0B864F3CF3CF4
-  %.363.i39.i = fmul contract double %.25.i8.i, %.362.i38.i
-  %.364.i40.i = fsub contract double 0x40AB9B8B602B580B, %.363.i39.i
-  %.418.i43.i = fmul contract double %.38.i, %.360.i36.i
-  %.419.i44.i = fmul contract double %.38.i, 2.000000e+00
-  %.420.i45.i = fadd contract double %.419.i44.i, -1.000000e+00
-  %.421.i46.i = fmul contract double %.420.i45.i, %.364.i40.i
-  %.422.i47.i = fadd contract double %.418.i43.i, %.421.i46.i
-  %.423.i48.i = fmul contract double %.26.i9.i, %.422.i47.i
-  %.424.i49.i = fadd contract double %.423.i48.i, %.424.i.i
-  store double %.424.i49.i, ptr %.970.i.i, align 8, !noalias !110
-  %.15.le.i.i = fcmp contract uno double %.696, 0.000000e+00
-  %.17.le.i.i = fcmp contract oge double %.696, 1.000000e+00
+  %.301.i26.i = fmul contract double %.26.i7.i, 0x400921FB54442D18
+  %.302.i27.i = fmul contract double %.38.i, 2.600000e+02
+  %.303.i28.i = fadd contract double %.302.i27.i, 0x407F0AAAAAAAAAAB
+  %.304.i29.i = fmul contract double %.303.i28.i, %.301.i26.i
+  %.305.i30.i = fadd contract double %.304.i29.i, %.305.i.i
+  store double %.305.i30.i, ptr %.686.i.i, align 8, !noalias !110
+  %.357.i31.i = fmul contract double %.25.i6.i, 0x4020F1C71C71C71C
+  %.358.i32.i = fsub contract double 0x40C10436B015AC05, %.357.i31.i
+  %.359.i33.i = fmul contract double %.25.i6.i, %.358.i32.i
+  %.360.i34.i = fadd contract double %.359.i33.i, 0xC0C7044BD0923320
+  %.361.i35.i = fmul contract double %.25.i6.i, 0x404070E38E38E38E
+  %.362.i36.i = fadd contract double %.361.i35.i, 0x40B0B864F3CF3CF4
+  %.363.i37.i = fmul contract double %.25.i6.i, %.362.i36.i
+  %.364.i38.i = fsub contract double 0x40AB9B8B602B580B, %.363.i37.i
+  %.418.i41.i = fmul contract double %.38.i, %.360.i34.i
+  %.419.i42.i = fmul contract double %.38.i, 2.000000e+00
+  %.420.i43.i = fadd contract double %.419.i42.i, -1.000000e+00
+  %.421.i44.i = fmul contract double %.420.i43.i, %.364.i38.i
+  %.422.i45.i = fadd contract double %.418.i41.i, %.421.i44.i
+  %.423.i46.i = fmul contract double %.26.i7.i, %.422.i45.i
+  %.424.i47.i = fadd contract double %.423.i46.i, %.424.i.i
+  store double %.424.i47.i, ptr %.970.i.i, align 8, !noalias !110
+  %.15.le.i.i = fcmp contract uno double %.682, 0.000000e+00
+  %.17.le.i.i = fcmp contract oge double %.682, 1.000000e+00
   %8 = or i1 %.15.le.i.i, %.17.le.i.i
-  %9 = tail call contract double @llvm.log.f64(double %.696)
+  %9 = tail call contract double @llvm.log.f64(double %.682)
   %.31.le.i.i = select i1 %8, double %9, double 0.000000e+00
-  %.36.i.i = fmul contract double %.31.le.i.i, 1.230000e-04
-  %.37.i.i = fadd contract double %.36.i.i, -4.210000e-03
-  %.38.i.i = fmul contract double %.31.le.i.i, %.37.i.i
-  %.39.i.i = fadd contract double %.38.i.i, 4.740000e-02
-  %.40.i.i = fmul contract double %.31.le.i.i, %.39.i.i
-  %.41.i.i = fadd contract double %.40.i.i, 9.360000e-02
-  %.42.i.i = fmul contract double %.31.le.i.i, %.41.i.i
-  %.43.i.i = fadd contract double %.42.i.i, 1.940000e-01
-  %.44.i.i = fcmp contract ogt double %.696, 1.000000e+00
-  %.46.i.i = uitofp i1 %.44.i.i to double
-  %.47.i.i = fmul contract double %.43.i.i, %.46.i.i
-  %.55.le.i.i = tail call contract double @llvm.exp.f64(double %.47.i.i)
-  %.147.i.i.i4 = fmul contract double %.26.i.i, %.26.i.i
-  %.106.i.i = fmul contract double %.55.le.i.i, 5.000000e+01
+  %.5.i.i.i = fmul contract double %.31.le.i.i, 1.230000e-04
+  %.6.i.i.i = fadd contract double %.5.i.i.i, -4.210000e-03
+  %.7.i.i.i = fmul contract double %.31.le.i.i, %.6.i.i.i
+  %.8.i.i.i = fadd contract double %.7.i.i.i, 4.740000e-02
+  %.9.i.i.i = fmul contract double %.31.le.i.i, %.8.i.i.i
+  %.10.i.i.i = fadd contract double %.9.i.i.i, 9.360000e-02
+  %.11.i.i.i = fmul contract double %.31.le.i.i, %.10.i.i.i
+  %.12.i.i.i = fadd contract double %.11.i.i.i, 1.940000e-01
+  %.62.i.i = fcmp contract ogt double %.682, 1.000000e+00
+  %.64.i.i = uitofp i1 %.62.i.i to double
+  %.65.i.i = fmul contract double %.12.i.i.i, %.64.i.i
+  %.73.le.i.i = tail call contract double @llvm.exp.f64(double %.65.i.i)
+  %.147.i.i.i7 = fmul contract double %.26.i.i, %.26.i.i
+  %.106.i.i = fmul contract double %.73.le.i.i, 5.000000e+01
   %.107.i.i = fadd contract double %.106.i.i, 6.250000e-01
-  %10 = fmul contract double %.147.i.i.i4, %.107.i.i
+  %10 = fmul contract double %.147.i.i.i7, %.107.i.i
   %.109.i.i = fsub contract double %.458.i.i, %10
   store double %.109.i.i, ptr %.413.i.i, align 8, !noalias !113
   %.214.i.i = fmul contract double %.33.i, 1.200000e+02
   %.215.i.i = fsub contract double 0x407E92AAAAAAAAAB, %.214.i.i
   %.216.i.i = fmul contract double %.33.i, %.215.i.i
   %.217.i.i = fadd contract double %.216.i.i, 0x40817F8618618618
-  %.218.i.i = fmul contract double %.217.i.i, %.55.le.i.i
+  %.218.i.i = fmul contract double %.217.i.i, %.73.le.i.i
   %.219.i.i = fmul contract double %.33.i, 0x40416E38E38E38E4
   %.220.i.i = fsub contract double 0x40569AAAAAAAAAAB, %.219.i.i
   %.221.i.i = fmul contract double %.33.i, %.220.i.i
   %.222.i.i = fadd contract double %.221.i.i, 0x40831AC618618618
   %.223.i.i = fsub contract double %.218.i.i, %.222.i.i
-  %.224.i.i = fmul contract double %.147.i.i.i4, %.223.i.i
-  %.225.i.i = fadd contract double %.305.i32.i, %.224.i.i
+  %.224.i.i = fmul contract double %.147.i.i.i7, %.223.i.i
+  %.225.i.i = fadd contract double %.305.i30.i, %.224.i.i
   store double %.225.i.i, ptr %.686.i.i, align 8, !noalias !113
-  %.331.i.i = fmul contract double %.147.i.i.i4, 0x4093A28C59D5433B
-  %.332.i.i = fmul contract double %.331.i.i, %.55.le.i.i
-  %11 = fsub contract double %.424.i49.i, %.332.i.i
+  %.331.i.i = fmul contract double %.147.i.i.i7, 0x4093A28C59D5433B
+  %.332.i.i = fmul contract double %.331.i.i, %.73.le.i.i
+  %11 = fsub contract double %.424.i47.i, %.332.i.i
   store double %11, ptr %.970.i.i, align 8, !noalias !113
-  %.15.le.i51.i = fcmp contract uno double %.726, 0.000000e+00
-  %.17.le.i52.i = fcmp contract oge double %.726, 1.000000e+00
-  %12 = or i1 %.15.le.i51.i, %.17.le.i52.i
-  %13 = tail call contract double @llvm.log.f64(double %.726)
-  %.31.le.i53.i = select i1 %12, double %13, double 0.000000e+00
-  %.36.i54.i = fmul contract double %.31.le.i53.i, 1.230000e-04
-  %.37.i55.i = fadd contract double %.36.i54.i, -4.210000e-03
-  %.38.i56.i = fmul contract double %.31.le.i53.i, %.37.i55.i
-  %.39.i57.i = fadd contract double %.38.i56.i, 4.740000e-02
-  %.40.i58.i = fmul contract double %.31.le.i53.i, %.39.i57.i
-  %.41.i59.i = fadd contract double %.40.i58.i, 9.360000e-02
-  %.42.i60.i = fmul contract double %.31.le.i53.i, %.41.i59.i
-  %.43.i61.i = fadd contract double %.42.i60.i, 1.940000e-01
-  %.44.i62.i = fcmp contract ogt double %.726, 1.000000e+00
-  %.46.i63.i = uitofp i1 %.44.i62.i to double
-  %.47.i64.i = fmul contract double %.43.i61.i, %.46.i63.i
-  %.55.le.i65.i = tail call contract double @llvm.exp.f64(double %.47.i64.i)
-  %.147.i.i67.i = fmul contract double %.26.i9.i, %.26.i9.i
-  %.106.i70.i = fmul contract double %.55.le.i65.i, 5.000000e+01
-  %.107.i71.i = fadd contract double %.106.i70.i, 6.250000e-01
-  %14 = fmul contract double %.147.i.i67.i, %.107.i71.i
-  %.109.i72.i = fsub contract double %.109.i.i, %14
-  store double %.109.i72.i, ptr %.413.i.i, align 8, !noalias !116
-  %.214.i75.i = fmul contract double %.38.i, 1.200000e+02
-  %.215.i76.i = fsub contract double 0x407E92AAAAAAAAAB, %.214.i75.i
-  %.216.i77.i = fmul contract double %.38.i, %.215.i76.i
-  %.217.i78.i = fadd contract double %.216.i77.i, 0x40817F8618618618
-  %.218.i79.i = fmul contract double %.217.i78.i, %.55.le.i65.i
-  %.219.i80.i = fmul contract double %.38.i, 0x40416E38E38E38E4
-  %.220.i81.i = fsub contract double 0x40569AAAAAAAAAAB, %.219.i80.i
-  %.221.i82.i = fmul contract double %.38.i, %.220.i81.i
-  %.222.i83.i = fadd contract double %.221.i82.i, 0x40831AC618618618
-  %.223.i84.i = fsub contract double %.218.i79.i, %.222.i83.i
-  %.224.i85.i = fmul contract double %.147.i.i67.i, %.223.i84.i
-  %.225.i86.i = fadd contract double %.224.i85.i, %.225.i.i
-  store double %.225.i86.i, ptr %.686.i.i, align 8, !noalias !116
-  %.331.i89.i = fmul contract double %.147.i.i67.i, 0x4093A28C59D5433B
-  %.332.i90.i = fmul contract double %.331.i89.i, %.55.le.i65.i
-  %15 = fsub contract double %11, %.332.i90.i
+  %.15.le.i49.i = fcmp contract uno double %.712, 0.000000e+00
+  %.17.le.i50.i = fcmp contract oge double %.712, 1.000000e+00
+  %12 = or i1 %.15.le.i49.i, %.17.le.i50.i
+  %13 = tail call contract double @llvm.log.f64(double %.712)
+  %.31.le.i51.i = select i1 %12, double %13, double 0.000000e+00
+  %.5.i.i52.i = fmul contract double %.31.le.i51.i, 1.230000e-04
+  %.6.i.i53.i = fadd contract double %.5.i.i52.i, -4.210000e-03
+  %.7.i.i54.i = fmul contract double %.31.le.i51.i, %.6.i.i53.i
+  %.8.i.i55.i = fadd contract double %.7.i.i54.i, 4.740000e-02
+  %.9.i.i56.i = fmul contract double %.31.le.i51.i, %.8.i.i55.i
+  %.10.i.i57.i = fadd contract double %.9.i.i56.i, 9.360000e-02
+  %.11.i.i58.i = fmul contract double %.31.le.i51.i, %.10.i.i57.i
+  %.12.i.i59.i = fadd contract double %.11.i.i58.i, 1.940000e-01
+  %.62.i60.i = fcmp contract ogt double %.712, 1.000000e+00
+  %.64.i61.i = uitofp i1 %.62.i60.i to double
+  %.65.i62.i = fmul contract double %.12.i.i59.i, %.64.i61.i
+  %.73.le.i63.i = tail call contract double @llvm.exp.f64(double %.65.i62.i)
+  %.147.i.i65.i = fmul contract double %.26.i7.i, %.26.i7.i
+  %.106.i68.i = fmul contract double %.73.le.i63.i, 5.000000e+01
+  %.107.i69.i = fadd contract double %.106.i68.i, 6.250000e-01
+  %14 = fmul contract double %.147.i.i65.i, %.107.i69.i
+  %.109.i70.i = fsub contract double %.109.i.i, %14
+  store double %.109.i70.i, ptr %.413.i.i, align 8, !noalias !116
+  %.214.i73.i = fmul contract double %.38.i, 1.200000e+02
+  %.215.i74.i = fsub contract double 0x407E92AAAAAAAAAB, %.214.i73.i
+  %.216.i75.i = fmul contract double %.38.i, %.215.i74.i
+  %.217.i76.i = fadd contract double %.216.i75.i, 0x40817F8618618618
+  %.218.i77.i = fmul contract double %.217.i76.i, %.73.le.i63.i
+  %.219.i78.i = fmul contract double %.38.i, 0x40416E38E38E38E4
+  %.220.i79.i = fsub contract double 0x40569AAAAAAAAAAB, %.219.i78.i
+  %.221.i80.i = fmul contract double %.38.i, %.220.i79.i
+  %.222.i81.i = fadd contract double %.221.i80.i, 0x40831AC618618618
+  %.223.i82.i = fsub contract double %.218.i77.i, %.222.i81.i
+  %.224.i83.i = fmul contract double %.147.i.i65.i, %.223.i82.i
+  %.225.i84.i = fadd contract double %.224.i83.i, %.225.i.i
+  store double %.225.i84.i, ptr %.686.i.i, align 8, !noalias !116
+  %.331.i87.i = fmul contract double %.147.i.i65.i, 0x4093A28C59D5433B
+  %.332.i88.i = fmul contract double %.331.i87.i, %.73.le.i63.i
+  %15 = fsub contract double %11, %.332.i88.i
   store double %15, ptr %.970.i.i, align 8, !noalias !116
   %.27.i.i = fmul contract double %.137, %.25.i.i
   %.28.i.i = fmul contract double %.167, %.27.i.i
-  %.82.i95.i = fmul contract double %.28.i.i, 9.875000e+01
-  %16 = fsub contract double %.109.i72.i, %.82.i95.i
+  %.82.i93.i = fmul contract double %.28.i.i, 9.875000e+01
+  %16 = fsub contract double %.109.i70.i, %.82.i93.i
   store double %16, ptr %.413.i.i, align 8, !noalias !119
-  %.188.i98.i = fmul contract double %.25.i.i, 0x40735B8E38E38E39
-  %.189.i99.i = fadd contract double %.188.i98.i, 0x40723BDB6DB6DB6E
-  %.190.i100.i = fmul contract double %.28.i.i, %.189.i99.i
-  %.191.i101.i = fadd contract double %.190.i100.i, %.225.i86.i
-  store double %.191.i101.i, ptr %.686.i.i, align 8, !noalias !119
+  %.188.i96.i = fmul contract double %.25.i.i, 0x40735B8E38E38E39
+  %.189.i97.i = fadd contract double %.188.i96.i, 0x40723BDB6DB6DB6E
+  %.190.i98.i = fmul contract double %.28.i.i, %.189.i97.i
+  %.191.i99.i = fadd contract double %.190.i98.i, %.225.i84.i
+  store double %.191.i99.i, ptr %.686.i.i, align 8, !noalias !119
   %.245.i.i = fmul contract double %.167, %.24.i.i
   %.246.i.i = fsub contract double %.26.i.i, %.245.i.i
-  %.147.i.i103.i = fmul contract double %.246.i.i, %.246.i.i
-  %.301.i104.i = fmul contract double %.28.i.i, 8.000000e+02
-  %.328.i105.i = fmul contract double %.147.i.i103.i, 7.500000e+00
-  %.329.i106.i = fadd contract double %.301.i104.i, %.328.i105.i
-  %.330.i.i = fmul contract double %.329.i106.i, 0x400921FB54442D18
+  %.147.i.i101.i = fmul contract double %.246.i.i, %.246.i.i
+  %.301.i102.i = fmul contract double %.28.i.i, 8.000000e+02
+  %.328.i103.i = fmul contract double %.147.i.i101.i, 7.500000e+00
+  %.329.i104.i = fadd contract double %.301.i102.i, %.328.i103.i
+  %.330.i.i = fmul contract double %.329.i104.i, 0x400921FB54442D18
   %17 = fsub contract double %15, %.330.i.i
   store double %17, ptr %.970.i.i, align 8, !noalias !119
-  %.147.i.i107.i = fmul contract double %.33.i, %.33.i
-  %.147.i.1.i.i = fmul contract double %.147.i.i107.i, %.147.i.i107.i
-  %.50.i.i = fmul contract double %.147.i.1.i.i, -2.400000e+01
-  %.51.i.i = fmul contract double %.50.i.i, %.696
-  %.105.i.i = fmul contract double %.33.i, 1.100000e+01
-  %.106.i110.i = fsub contract double 1.200000e+01, %.105.i.i
-  %.107.i111.i = fmul contract double %.106.i110.i, %.51.i.i
-  %.108.i.i = fadd contract double %.107.i111.i, %.1968.i.i
-  store double %.108.i.i, ptr %.1867.i.i, align 8, !noalias !122
-  %.211.i.i = getelementptr i8, ptr %arg.room.4, i64 96
-  %.212.i112.i = load double, ptr %.211.i.i, align 8, !noalias !122
-  %.213.i113.i = fmul contract double %.51.i.i, 5.000000e+00
-  %.217.i114.i = fdiv contract double %.213.i113.i, 6.720000e+02
-  %.219.i116.i = fsub contract double 2.286000e+03, %.302.i.i
-  %.220.i117.i = fmul contract double %.33.i, %.219.i116.i
-  %.221.i118.i = fadd contract double %.220.i117.i, 9.190000e+02
-  %.222.i119.i = fmul contract double %.33.i, %.221.i118.i
-  %.223.i120.i = fsub contract double 3.179000e+03, %.222.i119.i
-  %.224.i121.i = fmul contract double %.223.i120.i, %.217.i114.i
-  %.225.i122.i = fadd contract double %.224.i121.i, %.212.i112.i
-  store double %.225.i122.i, ptr %.211.i.i, align 8, !noalias !122
-  %.328.i123.i = getelementptr i8, ptr %arg.room.4, i64 104
-  %.329.i124.i = load double, ptr %.328.i123.i, align 8, !noalias !122
-  %.331.i125.i = fmul contract double %.51.i.i, 0xC00921FB54442D18
-  %.334.i.i = fmul contract double %.106.i110.i, %.331.i125.i
-  %.335.i.i = fadd contract double %.334.i.i, %.329.i124.i
-  store double %.335.i.i, ptr %.328.i123.i, align 8, !noalias !122
-  %.387.i.i = fmul contract double %.33.i, 0x4151712000000000
-  %.388.i.i = fsub contract double 0x41737B1700000000, %.387.i.i
-  %.389.i.i = fmul contract double %.33.i, %.388.i.i
-  %.390.i.i = fsub contract double 0x41A2E151D8000000, %.389.i.i
-  %.442.i.i = getelementptr i8, ptr %arg.room.4, i64 112
-  %.443.i.i = load double, ptr %.442.i.i, align 8, !noalias !122
-  %.448.i.i = fdiv contract double %.213.i113.i, 0x417A29B000000000
-  %.449.i.i = fmul contract double %.33.i, %.390.i.i
-  %.450.i.i = fadd contract double %.449.i.i, 0x41A4DB86E0000000
-  %.451.i.i = fmul contract double %.33.i, %.450.i.i
-  %.452.i.i = fadd contract double %.451.i.i, 0x41849F27B8000000
-  %.453.i.i = fmul contract double %.33.i, %.452.i.i
-  %.454.i.i = fsub contract double 0x41B72002EE000000, %.453.i.i
-  %.455.i.i = fmul contract double %.454.i.i, %.448.i.i
-  %.456.i.i = fadd contract double %.455.i.i, %.443.i.i
-  store double %.456.i.i, ptr %.442.i.i, align 8, !noalias !122
-  %.559.i.i = getelementptr i8, ptr %arg.room.4, i64 120
-  %.560.i.i = load double, ptr %.559.i.i, align 8, !noalias !122
-  %.566.i.i = fdiv contract double %.331.i125.i, 6.720000e+02
-  %.567.i.i = fmul contract double %.33.i, 1.052000e+04
-  %.568.i.i = fsub contract double 7.598000e+03, %.567.i.i
-  %.569.i.i = fmul contract double %.33.i, %.568.i.i
-  %.570.i.i = fsub contract double 2.241500e+04, %.569.i.i
-  %.571.i.i = fmul contract double %.33.i, %.570.i.i
-  %.572.i.i = fsub contract double 2.771900e+04, %.571.i.i
-  %.573.i.i = fmul contract double %.572.i.i, %.566.i.i
-  %.574.i.i = fadd contract double %.573.i.i, %.560.i.i
-  store double %.574.i.i, ptr %.559.i.i, align 8, !noalias !122
-  %.147.i.i126.i = fmul contract double %.38.i, %.38.i
-  %.147.i.1.i127.i = fmul contract double %.147.i.i126.i, %.147.i.i126.i
-  %.50.i128.i = fmul contract double %.147.i.1.i127.i, -2.400000e+01
-  %.51.i129.i = fmul contract double %.50.i128.i, %.726
-  %.105.i132.i = fmul contract double %.38.i, 1.100000e+01
-  %.106.i133.i = fsub contract double 1.200000e+01, %.105.i132.i
-  %.107.i134.i = fmul contract double %.106.i133.i, %.51.i129.i
-  %.108.i135.i = fadd contract double %.107.i134.i, %.108.i.i
-  store double %.108.i135.i, ptr %.1867.i.i, align 8, !noalias !125
-  %.213.i138.i = fmul contract double %.51.i129.i, 5.000000e+00
-  %.217.i139.i = fdiv contract double %.213.i138.i, 6.720000e+02
-  %.219.i141.i = fsub contract double 2.286000e+03, %.302.i29.i
-  %.220.i142.i = fmul contract double %.38.i, %.219.i141.i
-  %.221.i143.i = fadd contract double %.220.i142.i, 9.190000e+02
-  %.222.i144.i = fmul contract double %.38.i, %.221.i143.i
-  %.223.i145.i = fsub contract double 3.179000e+03, %.222.i144.i
-  %.224.i146.i = fmul contract double %.223.i145.i, %.217.i139.i
-  %.225.i147.i = fadd contract double %.224.i146.i, %.225.i122.i
-  store double %.225.i147.i, ptr %.211.i.i, align 8, !noalias !125
-  %.331.i150.i = fmul contract double %.51.i129.i, 0xC00921FB54442D18
-  %.334.i151.i = fmul contract double %.106.i133.i, %.331.i150.i
-  %.335.i152.i = fadd contract double %.334.i151.i, %.335.i.i
-  store double %.335.i152.i, ptr %.328.i123.i, align 8, !noalias !125
-  %.387.i153.i = fmul contract double %.38.i, 0x4151712000000000
-  %.388.i154.i = fsub contract double 0x41737B1700000000, %.387.i153.i
-  %.389.i155.i = fmul contract double %.38.i, %.388.i154.i
-  %.390.i156.i = fsub contract double 0x41A2E151D8000000, %.389.i155.i
-  %.448.i159.i = fdiv contract double %.213.i138.i, 0x417A29B000000000
-  %.449.i160.i = fmul contract double %.38.i, %.390.i156.i
-  %.450.i161.i = fadd contract double %.449.i160.i, 0x41A4DB86E0000000
-  %.451.i162.i = fmul contract double %.38.i, %.450.i161.i
-  %.452.i163.i = fadd contract double %.451.i162.i, 0x41849F27B8000000
-  %.453.i164.i = fmul contract double %.38.i, %.452.i163.i
-  %.454.i165.i = fsub contract double 0x41B72002EE000000, %.453.i164.i
-  %.455.i166.i = fmul contract double %.454.i165.i, %.448.i159.i
-  %.456.i167.i = fadd contract double %.455.i166.i, %.456.i.i
-  store double %.456.i167.i, ptr %.442.i.i, align 8, !noalias !125
-  %.566.i170.i = fdiv contract double %.331.i150.i, 6.720000e+02
-  %.567.i171.i = fmul contract double %.38.i, 1.052000e+04
-  %.568.i172.i = fsub contract double 7.598000e+03, %.567.i171.i
-  %.569.i173.i = fmul contract double %.38.i, %.568.i172.i
-  %.570.i174.i = fsub contract double 2.241500e+04, %.569.i173.i
-  %.571.i175.i = fmul contract double %.38.i, %.570.i174.i
-  %.572.i176.i = fsub contract double 2.771900e+04, %.571.i175.i
-  %.573.i177.i = fmul contract double %.572.i176.i, %.566.i170.i
-  %.574.i178.i = fadd contract double %.573.i177.i, %.574.i.i
-  store double %.574.i178.i, ptr %.559.i.i, align 8, !noalias !125
-  %.671.i5 = fmul contract double %.39.i3, 1.280000e+02
-  %.675.i = fdiv contract double 3.000000e+00, %.671.i5
+  %.24.i105.i = fmul contract double %.33.i, %.33.i
+  %.25.i106.i = fmul contract double %.24.i105.i, %.24.i105.i
+  %.26.i107.i = fmul contract double %.25.i106.i, -2.400000e+01
+  %.27.i108.i = fmul contract double %.26.i107.i, %.682
+  %.81.i111.i = fmul contract double %.33.i, 1.100000e+01
+  %.82.i112.i = fsub contract double 1.200000e+01, %.81.i111.i
+  %.83.i113.i = fmul contract double %.82.i112.i, %.27.i108.i
+  %.84.i.i = fadd contract double %.83.i113.i, %.1968.i.i
+  store double %.84.i.i, ptr %.1867.i.i, align 8, !noalias !122
+  %.187.i114.i = getelementptr i8, ptr %arg.room.4, i64 96
+  %.188.i115.i = load double, ptr %.187.i114.i, align 8, !noalias !122
+  %.189.i116.i = fmul contract double %.27.i108.i, 5.000000e+00
+  %.193.i117.i = fdiv contract double %.189.i116.i, 6.720000e+02
+  %.195.i119.i = fsub contract double 2.286000e+03, %.302.i.i
+  %.196.i.i = fmul contract double %.33.i, %.195.i119.i
+  %.197.i.i = fadd contract double %.196.i.i, 9.190000e+02
+  %.198.i.i = fmul contract double %.33.i, %.197.i.i
+  %.199.i.i = fsub contract double 3.179000e+03, %.198.i.i
+  %.200.i.i = fmul contract double %.199.i.i, %.193.i117.i
+  %.201.i.i = fadd contract double %.200.i.i, %.188.i115.i
+  store double %.201.i.i, ptr %.187.i114.i, align 8, !noalias !122
+  %.304.i120.i = getelementptr i8, ptr %arg.room.4, i64 104
+  %.305.i121.i = load double, ptr %.304.i120.i, align 8, !noalias !122
+  %.307.i.i = fmul contract double %.27.i108.i, 0xC00921FB54442D18
+  %.310.i.i = fmul contract double %.82.i112.i, %.307.i.i
+  %.311.i.i = fadd contract double %.310.i.i, %.305.i121.i
+  store double %.311.i.i, ptr %.304.i120.i, align 8, !noalias !122
+  %.363.i122.i = fmul contract double %.33.i, 0x4151712000000000
+  %.364.i123.i = fsub contract double 0x41737B1700000000, %.363.i122.i
+  %.365.i.i = fmul contract double %.33.i, %.364.i123.i
+  %.366.i.i = fsub contract double 0x41A2E151D8000000, %.365.i.i
+  %.418.i124.i = getelementptr i8, ptr %arg.room.4, i64 112
+  %.419.i125.i = load double, ptr %.418.i124.i, align 8, !noalias !122
+  %.424.i126.i = fdiv contract double %.189.i116.i, 0x417A29B000000000
+  %.425.i.i = fmul contract double %.33.i, %.366.i.i
+  %.426.i.i = fadd contract double %.425.i.i, 0x41A4DB86E0000000
+  %.427.i.i = fmul contract double %.33.i, %.426.i.i
+  %.428.i.i = fadd contract double %.427.i.i, 0x41849F27B8000000
+  %.429.i.i = fmul contract double %.33.i, %.428.i.i
+  %.430.i.i = fsub contract double 0x41B72002EE000000, %.429.i.i
+  %.431.i.i = fmul contract double %.430.i.i, %.424.i126.i
+  %.432.i.i = fadd contract double %.431.i.i, %.419.i125.i
+  store double %.432.i.i, ptr %.418.i124.i, align 8, !noalias !122
+  %.535.i.i = getelementptr i8, ptr %arg.room.4, i64 120
+  %.536.i.i = load double, ptr %.535.i.i, align 8, !noalias !122
+  %.542.i.i = fdiv contract double %.307.i.i, 6.720000e+02
+  %.543.i.i = fmul contract double %.33.i, 1.052000e+04
+  %.544.i.i = fsub contract double 7.598000e+03, %.543.i.i
+  %.545.i.i = fmul contract double %.33.i, %.544.i.i
+  %.546.i.i = fsub contract double 2.241500e+04, %.545.i.i
+  %.547.i.i = fmul contract double %.33.i, %.546.i.i
+  %.548.i.i = fsub contract double 2.771900e+04, %.547.i.i
+  %.549.i.i = fmul contract double %.548.i.i, %.542.i.i
+  %.550.i.i = fadd contract double %.549.i.i, %.536.i.i
+  store double %.550.i.i, ptr %.535.i.i, align 8, !noalias !122
+  %.24.i127.i = fmul contract double %.38.i, %.38.i
+  %.25.i128.i = fmul contract double %.24.i127.i, %.24.i127.i
+  %.26.i129.i = fmul contract double %.25.i128.i, -2.400000e+01
+  %.27.i130.i = fmul contract double %.26.i129.i, %.712
+  %.81.i133.i = fmul contract double %.38.i, 1.100000e+01
+  %.82.i134.i = fsub contract double 1.200000e+01, %.81.i133.i
+  %.83.i135.i = fmul contract double %.82.i134.i, %.27.i130.i
+  %.84.i136.i = fadd contract double %.83.i135.i, %.84.i.i
+  store double %.84.i136.i, ptr %.1867.i.i, align 8, !noalias !125
+  %.189.i139.i = fmul contract double %.27.i130.i, 5.000000e+00
+  %.193.i140.i = fdiv contract double %.189.i139.i, 6.720000e+02
+  %.195.i142.i = fsub contract double 2.286000e+03, %.302.i27.i
+  %.196.i143.i = fmul contract double %.38.i, %.195.i142.i
+  %.197.i144.i = fadd contract double %.196.i143.i, 9.190000e+02
+  %.198.i145.i = fmul contract double %.38.i, %.197.i144.i
+  %.199.i146.i = fsub contract double 3.179000e+03, %.198.i145.i
+  %.200.i147.i = fmul contract double %.199.i146.i, %.193.i140.i
+  %.201.i148.i = fadd contract double %.200.i147.i, %.201.i.i
+  store double %.201.i148.i, ptr %.187.i114.i, align 8, !noalias !125
+  %.307.i151.i = fmul contract double %.27.i130.i, 0xC00921FB54442D18
+  %.310.i152.i = fmul contract double %.82.i134.i, %.307.i151.i
+  %.311.i153.i = fadd contract double %.310.i152.i, %.311.i.i
+  store double %.311.i153.i, ptr %.304.i120.i, align 8, !noalias !125
+  %.363.i154.i = fmul contract double %.38.i, 0x4151712000000000
+  %.364.i155.i = fsub contract double 0x41737B1700000000, %.363.i154.i
+  %.365.i156.i = fmul contract double %.38.i, %.364.i155.i
+  %.366.i157.i = fsub contract double 0x41A2E151D8000000, %.365.i156.i
+  %.424.i160.i = fdiv contract double %.189.i139.i, 0x417A29B000000000
+  %.425.i161.i = fmul contract double %.38.i, %.366.i157.i
+  %.426.i162.i = fadd contract double %.425.i161.i, 0x41A4DB86E0000000
+  %.427.i163.i = fmul contract double %.38.i, %.426.i162.i
+  %.428.i164.i = fadd contract double %.427.i163.i, 0x41849F27B8000000
+  %.429.i165.i = fmul contract double %.38.i, %.428.i164.i
+  %.430.i166.i = fsub contract double 0x41B72002EE000000, %.429.i165.i
+  %.431.i167.i = fmul contract double %.430.i166.i, %.424.i160.i
+  %.432.i168.i = fadd contract double %.431.i167.i, %.432.i.i
+  store double %.432.i168.i, ptr %.418.i124.i, align 8, !noalias !125
+  %.542.i171.i = fdiv contract double %.307.i151.i, 6.720000e+02
+  %.543.i172.i = fmul contract double %.38.i, 1.052000e+04
+  %.544.i173.i = fsub contract double 7.598000e+03, %.543.i172.i
+  %.545.i174.i = fmul contract double %.38.i, %.544.i173.i
+  %.546.i175.i = fsub contract double 2.241500e+04, %.545.i174.i
+  %.547.i176.i = fmul contract double %.38.i, %.546.i175.i
+  %.548.i177.i = fsub contract double 2.771900e+04, %.547.i176.i
+  %.549.i178.i = fmul contract double %.548.i177.i, %.542.i171.i
+  %.550.i179.i = fadd contract double %.549.i178.i, %.550.i.i
+  store double %.550.i179.i, ptr %.535.i.i, align 8, !noalias !125
+  %.671.i8 = fmul contract double %.39.i6, 1.280000e+02
+  %.675.i = fdiv contract double 3.000000e+00, %.671.i8
   store double %.675.i, ptr %arg.room.4, align 8, !noalias !101
   %18 = getelementptr i8, ptr %arg.room.4, i64 8
   %.968.1.i = load double, ptr %18, align 8, !noalias !101
@@ -5935,7 +5934,7 @@ entry:
   store double %.970.1.i, ptr %18, align 8, !noalias !101
   %.970.2.i = fmul contract double %.675.i, %.204.i.i
   store double %.970.2.i, ptr %.183.i.i, align 8, !noalias !101
-  %.970.3.i = fmul contract double %.675.i, %.83.i15.i
+  %.970.3.i = fmul contract double %.675.i, %.83.i13.i
   store double %.970.3.i, ptr %.308.i.i, align 8, !noalias !101
   %.970.4.i = fmul contract double %.675.i, %16
   store double %.970.4.i, ptr %.413.i.i, align 8, !noalias !101
@@ -5943,7 +5942,7 @@ entry:
   %.968.5.i = load double, ptr %19, align 8, !noalias !101
   %.970.5.i = fmul contract double %.675.i, %.968.5.i
   store double %.970.5.i, ptr %19, align 8, !noalias !101
-  %.970.6.i = fmul contract double %.675.i, %.191.i101.i
+  %.970.6.i = fmul contract double %.675.i, %.191.i99.i
   store double %.970.6.i, ptr %.686.i.i, align 8, !noalias !101
   %.970.7.i = fmul contract double %.675.i, %17
   store double %.970.7.i, ptr %.970.i.i, align 8, !noalias !101
@@ -5953,18 +5952,18 @@ entry:
   store double %.970.8.i, ptr %20, align 8, !noalias !101
   %.970.9.i = fmul contract double %.675.i, %.1537.i.i
   store double %.970.9.i, ptr %.1461.i.i, align 8, !noalias !101
-  %.970.10.i = fmul contract double %.675.i, %.108.i135.i
+  %.970.10.i = fmul contract double %.675.i, %.84.i136.i
   store double %.970.10.i, ptr %.1867.i.i, align 8, !noalias !101
   %.970.11.i = fmul contract double %.675.i, %.2371.i.i
   store double %.970.11.i, ptr %.2256.i.i, align 8, !noalias !101
-  %.970.12.i = fmul contract double %.675.i, %.225.i147.i
-  store double %.970.12.i, ptr %.211.i.i, align 8, !noalias !101
-  %.970.13.i = fmul contract double %.675.i, %.335.i152.i
-  store double %.970.13.i, ptr %.328.i123.i, align 8, !noalias !101
-  %.970.14.i = fmul contract double %.675.i, %.456.i167.i
-  store double %.970.14.i, ptr %.442.i.i, align 8, !noalias !101
-  %.970.15.i = fmul contract double %.675.i, %.574.i178.i
-  store double %.970.15.i, ptr %.559.i.i, align 8, !noalias !101
+  %.970.12.i = fmul contract double %.675.i, %.201.i148.i
+  store double %.970.12.i, ptr %.187.i114.i, align 8, !noalias !101
+  %.970.13.i = fmul contract double %.675.i, %.311.i153.i
+  store double %.970.13.i, ptr %.304.i120.i, align 8, !noalias !101
+  %.970.14.i = fmul contract double %.675.i, %.432.i168.i
+  store double %.970.14.i, ptr %.418.i124.i, align 8, !noalias !101
+  %.970.15.i = fmul contract double %.675.i, %.550.i179.i
+  store double %.970.15.i, ptr %.535.i.i, align 8, !noalias !101
   %.968.1276.i = load double, ptr %5, align 8, !noalias !101
   %.970.1277.i = fmul contract double %.675.i, %.968.1276.i
   store double %.970.1277.i, ptr %5, align 8, !noalias !101
@@ -6078,89 +6077,54 @@ entry:
   %.968.15.2.i = load double, ptr %44, align 8, !noalias !101
   %.970.15.2.i = fmul contract double %.675.i, %.968.15.2.i
   store double %.970.15.2.i, ptr %44, align 8, !noalias !101
-  %.904 = getelementptr i8, ptr %arg.out.4, i64 64
-  %.1137 = fmul contract double %.306, %.454
-  %.1139 = fmul contract double %.306, %.1137
-  %.1143 = fdiv contract double 1.000000e+00, %.1139
-  %.1539 = fmul contract double %.318.le, 2.000000e+00
-  %scevgep7 = getelementptr i8, ptr %arg.out.4, i64 152
-  br label %B852.if
+  %.1069 = getelementptr i8, ptr %arg.out.4, i64 64
+  %.69.le.i = tail call contract double @llvm.log.f64(double %.306)
+  %.83.i = fmul contract double %.306, %.438
+  %.85.i = fmul contract double %.306, %.83.i
+  %.89.i = fdiv contract double 1.000000e+00, %.85.i
+  %.493.i5 = fmul contract double %.69.le.i, 2.000000e+00
+  %scevgep9 = getelementptr i8, ptr %arg.out.4, i64 152
+  br label %B154.if.i
 
-B970:                                             ; preds = %B852.if
-  %.1537 = load double, ptr %sunkaddr44, align 8
-  %.1594 = load double, ptr %sunkaddr47, align 8
-  %.1595 = fmul contract double %.1539, %.1594
-  %.1596 = fadd contract double %.1537, %.1595
-  %.1598 = fmul contract double %power.1.2.0758, %.1596
-  %.1602 = fdiv contract double %.1598, 3.000000e+00
-  %scevgep8 = getelementptr i8, ptr %scevgep7, i64 %sunkaddr40
-  store double %.1602, ptr %scevgep8, align 8
-  br label %B1054
+B848:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %.1268 = getelementptr i8, ptr %arg.band.4, i64 16
+  %.1269 = load double, ptr %.1268, align 8
+  %.1270 = fcmp contract ogt double %.1269, 0.000000e+00
+  br i1 %.1270, label %B872, label %B944
 
-B1054:                                            ; preds = %B852.if, %B970
-  %.1647 = fmul contract double %.306, %power.1.2.0758
-  %exitcond.not = icmp eq i64 %.1239, 16
-  br i1 %exitcond.not, label %B1066, label %B852.if
-
-B1066:                                            ; preds = %B1054
-  %.1721 = load double, ptr %.1336.i.i, align 8
-  %.1722 = fmul contract double %.305, %.1721
-  %.1726 = fdiv contract double %.1722, 9.000000e+00
-  %sunkaddr25 = getelementptr i8, ptr %arg.out.4, i64 248
-  store double %.1726, ptr %sunkaddr25, align 8
-  %.1785 = getelementptr i8, ptr %arg.row.4, i64 64
-  %.1786 = load double, ptr %.1785, align 8
-  %45 = lshr i64 %arg.alignment, 61
-  %.1803 = and i64 %45, 4
-  %.idx = shl i64 %arg.alignment, 4
-  %46 = getelementptr i8, ptr %arg.gauge.4, i64 %.idx
-  %.1817 = getelementptr double, ptr %46, i64 %.1803
-  %.1818 = load double, ptr %.1817, align 8
-  %.1819 = fsub contract double %.1786, %.1818
-  %sunkaddr27 = getelementptr i8, ptr %arg.out.4, i64 256
-  store double %.1819, ptr %sunkaddr27, align 8
-  %.1851 = icmp eq i64 %arg.alignment, 1
-  br i1 %.1851, label %B1204, label %B1300
-
-B1204:                                            ; preds = %B1066
-  %.1881 = getelementptr i8, ptr %arg.band.4, i64 16
-  %.1882 = load double, ptr %.1881, align 8
-  %.1883 = fcmp contract ogt double %.1882, 0.000000e+00
-  br i1 %.1883, label %B1228, label %B1300
-
-B1228:                                            ; preds = %B1204
-  %.25.i = fmul contract double %.1882, 0x400921FB54442D18
+B872:                                             ; preds = %B848
+  %.25.i = fmul contract double %.1269, 0x400921FB54442D18
   %.26.i = tail call contract double @llvm.pow.f64(double %.25.i, double 0x3FD5555555555555)
   %.147.i.i = fmul contract double %.26.i, %.26.i
   %.147.i.1.i = fmul contract double %.147.i.i, %.147.i.i
   %.127.i.2.i = fmul contract double %.26.i, %.147.i.1.i
   %.38.le.i = tail call contract double @llvm.log.f64(double %.26.i)
   %.168.i.i = fcmp une double %.127.i.2.i, 0.000000e+00
-  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
+  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !0
 
-B134.if.lr.ph.i:                                  ; preds = %B1228
+B134.if.lr.ph.i:                                  ; preds = %B872
   %.175.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i
   %.423.i = fmul contract double %.38.le.i, 2.000000e+00
   br label %B134.if.i
 
 B134.if.i:                                        ; preds = %B134.if.i, %B134.if.lr.ph.i
-  %lsr.iv1 = phi i64 [ %lsr.iv.next, %B134.if.i ], [ -16, %B134.if.lr.ph.i ]
+  %lsr.iv1 = phi i64 [ %lsr.iv.next2, %B134.if.i ], [ -16, %B134.if.lr.ph.i ]
   %power.2.0146.i = phi double [ %.493.i, %B134.if.i ], [ %.175.i.i, %B134.if.lr.ph.i ]
   %result.2.0145.i = phi double [ %.488.i, %B134.if.i ], [ 0.000000e+00, %B134.if.lr.ph.i ]
-  %47 = add nsw i64 %lsr.iv1, 11
-  %sunkaddr28 = shl i64 %lsr.iv1, 3
-  %sunkaddr29 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr28
-  %sunkaddr30 = getelementptr i8, ptr %sunkaddr29, i64 128
-  %.249.i = load double, ptr %sunkaddr30, align 8, !noalias !128
-  %sunkaddr33 = getelementptr i8, ptr %sunkaddr29, i64 256
-  %.303.i = load double, ptr %sunkaddr33, align 8, !noalias !128
-  %sunkaddr36 = getelementptr i8, ptr %sunkaddr29, i64 384
-  %.357.i = load double, ptr %sunkaddr36, align 8, !noalias !128
+  %45 = add nsw i64 %lsr.iv1, 11
+  %sunkaddr = shl i64 %lsr.iv1, 3
+  %sunkaddr18 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr
+  %sunkaddr19 = getelementptr i8, ptr %sunkaddr18, i64 128
+  %.249.i = load double, ptr %sunkaddr19, align 8, !noalias !128
+  %sunkaddr22 = getelementptr i8, ptr %sunkaddr18, i64 256
+  %.303.i = load double, ptr %sunkaddr22, align 8, !noalias !128
+  %sunkaddr25 = getelementptr i8, ptr %sunkaddr18, i64 384
+  %.357.i = load double, ptr %sunkaddr25, align 8, !noalias !128
   %.359.i = fmul contract double %.38.le.i, %.357.i
   %.360.i = fadd contract double %.303.i, %.359.i
   %.362.i = fmul contract double %.38.le.i, %.360.i
   %.363.i = fadd contract double %.249.i, %.362.i
-  %.365.i = sitofp i64 %47 to double
+  %.365.i = sitofp i64 %45 to double
   %.366.i = fmul contract double %.363.i, %.365.i
   %.421.i = fadd contract double %.303.i, %.366.i
   %.478.i = fmul contract double %.423.i, %.357.i
@@ -6171,66 +6135,102 @@ B134.if.i:                                        ; preds = %B134.if.i, %B134.if
   %.488.i = fadd contract double %result.2.0145.i, %.486.i
   %.493.i = fmul contract double %.26.i, %power.2.0146.i
   %ov = icmp eq i64 %lsr.iv1, -1
-  %lsr.iv.next = add nsw i64 %lsr.iv1, 1
-  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
+  %lsr.iv.next2 = add nsw i64 %lsr.iv1, 1
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
 
-_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B1228
-  %.1952.0 = phi double [ 0.000000e+00, %B1228 ], [ %.488.i, %B134.if.i ]
-  %excinfo.6.0 = phi ptr [ @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366, %B1228 ], [ null, %B134.if.i ]
-  br i1 %.168.i.i, label %B1228.endif, label %B1228.if, !prof !0
+_ZN17bnserve_surrogate6kernel7_series8legendreB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B872
+  %.1339.0 = phi double [ 0.000000e+00, %B872 ], [ %.488.i, %B134.if.i ]
+  %excinfo.7.0 = phi ptr [ @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366, %B872 ], [ null, %B134.if.i ]
+  br i1 %.168.i.i, label %B872.endif, label %B872.if, !prof !0
 
-B1300:                                            ; preds = %B1228.endif, %B1204, %B1066
-  %.2060 = getelementptr i8, ptr %arg.row.4, i64 72
-  %.2061 = load double, ptr %.2060, align 8
-  %.2067 = fmul contract double %.2061, 0x401921FB54442D18
-  %.2069 = fmul contract double %.206, 0x3ED4A8B4A9ED04E3
-  %.2076 = fdiv contract double %arg.unit, %.2069
-  %.2077 = fmul contract double %.2076, %.2067
-  %48 = getelementptr i8, ptr %46, i64 8
-  %.2111 = getelementptr double, ptr %48, i64 %.1803
-  %.2112 = load double, ptr %.2111, align 8
-  %.2119 = fmul contract double %arg.unit, %.2112
-  %.2122 = fsub contract double %.2077, %.2119
-  %sunkaddr39 = getelementptr i8, ptr %arg.out.4, i64 264
-  store double %.2122, ptr %sunkaddr39, align 8
-  %.2159 = fmul contract double %.389, 2.000000e+01
-  store double %.2159, ptr %retptr, align 8
+B944:                                             ; preds = %B872.endif, %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B848
+  %.1447 = getelementptr i8, ptr %arg.row.4, i64 72
+  %.1448 = load double, ptr %.1447, align 8
+  %.1454 = fmul contract double %.1448, 0x401921FB54442D18
+  %.1456 = fmul contract double %.206, 0x3ED4A8B4A9ED04E3
+  %.1463 = fdiv contract double %arg.unit, %.1456
+  %.1464 = fmul contract double %.1463, %.1454
+  %46 = getelementptr i8, ptr %49, i64 8
+  %.1498 = getelementptr double, ptr %46, i64 %.1190
+  %.1499 = load double, ptr %.1498, align 8
+  %.1506 = fmul contract double %arg.unit, %.1499
+  %.1509 = fsub contract double %.1464, %.1506
+  %sunkaddr27 = getelementptr i8, ptr %arg.out.4, i64 264
+  store double %.1509, ptr %sunkaddr27, align 8
+  %.1546 = fmul contract double %.373, 2.000000e+01
+  store double %.1546, ptr %retptr, align 8
   br label %common.ret
 
-common.ret:                                       ; preds = %B1228.if, %B1300
-  %common.ret.op = phi i32 [ 0, %B1300 ], [ 1, %B1228.if ]
+common.ret:                                       ; preds = %B872.if, %B944
+  %common.ret.op = phi i32 [ 0, %B944 ], [ 1, %B872.if ]
   ret i32 %common.ret.op
 
-B852.if:                                          ; preds = %entry, %B1054
-  %power.1.2.0758 = phi double [ %.1143, %entry ], [ %.1647, %B1054 ]
-  %.1232754756 = phi i64 [ 0, %entry ], [ %.1239, %B1054 ]
-  %.1239 = add nuw nsw i64 %.1232754756, 1
-  %sunkaddr40 = shl i64 %.1232754756, 3
-  %sunkaddr41 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr40
-  %.1321 = load double, ptr %sunkaddr41, align 8
-  %sunkaddr44 = getelementptr i8, ptr %sunkaddr41, i64 128
-  %.1376 = load double, ptr %sunkaddr44, align 8
-  %sunkaddr47 = getelementptr i8, ptr %sunkaddr41, i64 256
-  %.1431 = load double, ptr %sunkaddr47, align 8
-  %.1433 = fmul contract double %.318.le, %.1431
-  %.1434 = fadd contract double %.1376, %.1433
-  %.1436 = fmul contract double %.318.le, %.1434
-  %.1437 = fadd contract double %.1321, %.1436
-  %.1439 = fmul contract double %power.1.2.0758, %.1437
-  %scevgep9 = getelementptr i8, ptr %.904, i64 %sunkaddr40
-  store double %.1439, ptr %scevgep9, align 8
-  %49 = add nsw i64 %.1232754756, -5
-  %or.cond = icmp ult i64 %49, 7
-  br i1 %or.cond, label %B970, label %B1054
+B278.i:                                           ; preds = %B154.if.i
+  %.491.i = load double, ptr %sunkaddr38, align 8, !noalias !132
+  %.548.i = load double, ptr %sunkaddr41, align 8, !noalias !132
+  %.549.i = fmul contract double %.493.i5, %.548.i
+  %.550.i = fadd contract double %.491.i, %.549.i
+  %.552.i = fmul contract double %power.2.0232.i, %.550.i
+  %.556.i = fdiv contract double %.552.i, 3.000000e+00
+  %scevgep10 = getelementptr i8, ptr %scevgep9, i64 %sunkaddr34
+  store double %.556.i, ptr %scevgep10, align 8, !noalias !132
+  br label %B356.i
 
-B1228.if:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
-  store ptr %excinfo.6.0, ptr %excinfo, align 8
+B356.i:                                           ; preds = %B154.if.i, %B278.i
+  %.596.i = fmul contract double %.306, %power.2.0232.i
+  %lsr.iv.next = add nuw nsw i64 %lsr.iv, 1
+  %exitcond.not.i10 = icmp eq i64 %lsr.iv.next, 16
+  br i1 %exitcond.not.i10, label %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B154.if.i
+
+B154.if.i:                                        ; preds = %B356.i, %entry
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B356.i ], [ 0, %entry ]
+  %power.2.0232.i = phi double [ %.596.i, %B356.i ], [ %.89.i, %entry ]
+  %47 = add nsw i64 %lsr.iv, -5
+  %sunkaddr34 = shl i64 %lsr.iv, 3
+  %sunkaddr35 = getelementptr i8, ptr %arg.room.4, i64 %sunkaddr34
+  %.269.i = load double, ptr %sunkaddr35, align 8, !noalias !132
+  %sunkaddr38 = getelementptr i8, ptr %sunkaddr35, i64 128
+  %.324.i = load double, ptr %sunkaddr38, align 8, !noalias !132
+  %sunkaddr41 = getelementptr i8, ptr %sunkaddr35, i64 256
+  %.379.i = load double, ptr %sunkaddr41, align 8, !noalias !132
+  %.381.i = fmul contract double %.69.le.i, %.379.i
+  %.382.i = fadd contract double %.324.i, %.381.i
+  %.384.i = fmul contract double %.69.le.i, %.382.i
+  %.385.i = fadd contract double %.269.i, %.384.i
+  %.387.i = fmul contract double %power.2.0232.i, %.385.i
+  %scevgep11 = getelementptr i8, ptr %.1069, i64 %sunkaddr34
+  store double %.387.i, ptr %scevgep11, align 8, !noalias !132
+  %or.cond.i = icmp ult i64 %47, 7
+  br i1 %or.cond.i, label %B278.i, label %B356.i
+
+_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B356.i
+  %.672.i = load double, ptr %.1336.i.i, align 8, !noalias !132
+  %.680.i = fmul contract double %.305, %.672.i
+  %.684.i = fdiv contract double %.680.i, 9.000000e+00
+  %sunkaddr43 = getelementptr i8, ptr %arg.out.4, i64 248
+  store double %.684.i, ptr %sunkaddr43, align 8, !noalias !132
+  %.1172 = getelementptr i8, ptr %arg.row.4, i64 64
+  %.1173 = load double, ptr %.1172, align 8
+  %48 = lshr i64 %arg.alignment, 61
+  %.1190 = and i64 %48, 4
+  %.idx = shl i64 %arg.alignment, 4
+  %49 = getelementptr i8, ptr %arg.gauge.4, i64 %.idx
+  %.1204 = getelementptr double, ptr %49, i64 %.1190
+  %.1205 = load double, ptr %.1204, align 8
+  %.1206 = fsub contract double %.1173, %.1205
+  %sunkaddr45 = getelementptr i8, ptr %arg.out.4, i64 256
+  store double %.1206, ptr %sunkaddr45, align 8
+  %.1238 = icmp eq i64 %arg.alignment, 1
+  br i1 %.1238, label %B848, label %B944
+
+B872.if:                                          ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+  store ptr %excinfo.7.0, ptr %excinfo, align 8
   br label %common.ret
 
-B1228.endif:                                      ; preds = %_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
-  %.1987 = fadd contract double %.1819, %.1952.0
-  store double %.1987, ptr %sunkaddr27, align 8
-  br label %B1300
+B872.endif:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+  %.1374 = fadd contract double %.1206, %.1339.0
+  store double %.1374, ptr %sunkaddr45, align 8
+  br label %B944
 }
 
 ; Function Attrs: nofree noinline norecurse nosync nounwind memory(argmem: readwrite)
@@ -6666,7 +6666,7 @@ B504:                                             ; preds = %entry, %entry
   %"$phi628.3.2.0" = select i1 %.96.1.i.not, i64 %.879, i64 0
   %.974 = inttoptr i64 %.947 to ptr
   %.1047 = icmp sgt i64 %"$phi628.3.2.0", 0
-  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !132
+  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !135
   %.98.i = shl i64 %.206, 3
   %.100.i = mul i64 %.98.i, %.65.i
   %29 = zext i1 %.1047 to i64
@@ -6703,7 +6703,7 @@ B882:                                             ; preds = %entry
   %"$phi1006.3.2.0" = select i1 %.1334, i64 %.1264, i64 0
   %.1359 = inttoptr i64 %.1332 to ptr
   %.1432 = icmp sgt i64 %"$phi1006.3.2.0", 0
-  %.65.i31 = load i64, ptr %arg.arguments.4, align 8, !noalias !135
+  %.65.i31 = load i64, ptr %arg.arguments.4, align 8, !noalias !138
   %.98.i34 = shl i64 %.206, 4
   %.100.i35 = mul i64 %.98.i34, %.65.i31
   %30 = zext i1 %.1432 to i64
@@ -7047,7 +7047,7 @@ B635733:                                          ; preds = %B150
   br i1 %3, label %B635805, label %B635807
 
 B635805:                                          ; preds = %B635733
-  store <16 x float> %.899, ptr %sunkaddr6, align 64, !nontemporal !138
+  store <16 x float> %.899, ptr %sunkaddr6, align 64, !nontemporal !141
   br label %B635845
 
 B635807:                                          ; preds = %B635733
@@ -7090,7 +7090,7 @@ B636005:                                          ; preds = %B635849
   br i1 %4, label %B636007, label %B636045
 
 B636007:                                          ; preds = %B636005
-  store <16 x float> %.1294, ptr %sunkaddr14, align 64, !nontemporal !138
+  store <16 x float> %.1294, ptr %sunkaddr14, align 64, !nontemporal !141
   br label %B636061
 
 B636045:                                          ; preds = %B636005
@@ -7405,7 +7405,7 @@ B636130:                                          ; preds = %B150
   br i1 %3, label %B636202, label %B636204
 
 B636202:                                          ; preds = %B636130
-  store <16 x double> %.1122, ptr %sunkaddr6, align 64, !nontemporal !138
+  store <16 x double> %.1122, ptr %sunkaddr6, align 64, !nontemporal !141
   br label %B636242
 
 B636204:                                          ; preds = %B636130
@@ -7448,7 +7448,7 @@ B636402:                                          ; preds = %B636246
   br i1 %4, label %B636404, label %B636442
 
 B636404:                                          ; preds = %B636402
-  store <16 x double> %.1511, ptr %sunkaddr32, align 64, !nontemporal !138
+  store <16 x double> %.1511, ptr %sunkaddr32, align 64, !nontemporal !141
   br label %B636458
 
 B636442:                                          ; preds = %B636402
@@ -7659,7 +7659,7 @@ B58.if.prol:                                      ; preds = %B58.if.prol, %B58.i
   store float 0.000000e+00, ptr %scevgep34, align 4
   %lsr.iv.next36 = add nsw i64 %lsr.iv35, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next36, 0
-  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !139
+  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !142
 
 B58.if.prol.loopexit.loopexit:                    ; preds = %B58.if.prol
   %3 = sub i64 %arg.first.5.0, %.141.prol
@@ -7708,7 +7708,7 @@ B128.if.prol:                                     ; preds = %B128.if.prol, %B128
   store float 0.000000e+00, ptr %scevgep17, align 4
   %lsr.iv.next19 = add nsw i64 %lsr.iv18, -1
   %prol.iter3.cmp.not = icmp eq i64 %lsr.iv.next19, 0
-  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !140
+  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !143
 
 B128.if.prol.loopexit.loopexit:                   ; preds = %B128.if.prol
   %15 = sub i64 %arg.second.5.0, %.313.prol
@@ -7822,7 +7822,7 @@ B58.if.prol:                                      ; preds = %B58.if.prol, %B58.i
   store double 0.000000e+00, ptr %scevgep34, align 8
   %lsr.iv.next36 = add nsw i64 %lsr.iv35, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next36, 0
-  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !141
+  br i1 %prol.iter.cmp.not, label %B58.if.prol.loopexit.loopexit, label %B58.if.prol, !llvm.loop !144
 
 B58.if.prol.loopexit.loopexit:                    ; preds = %B58.if.prol
   %3 = sub i64 %arg.first.5.0, %.141.prol
@@ -7871,7 +7871,7 @@ B128.if.prol:                                     ; preds = %B128.if.prol, %B128
   store double 0.000000e+00, ptr %scevgep17, align 8
   %lsr.iv.next19 = add nsw i64 %lsr.iv18, -1
   %prol.iter3.cmp.not = icmp eq i64 %lsr.iv.next19, 0
-  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !142
+  br i1 %prol.iter3.cmp.not, label %B128.if.prol.loopexit.loopexit, label %B128.if.prol, !llvm.loop !145
 
 B128.if.prol.loopexit.loopexit:                   ; preds = %B128.if.prol
   %15 = sub i64 %arg.second.5.0, %.312.prol
@@ -8093,15 +8093,15 @@ B1246:                                            ; preds = %for.end.1.endif.end
   %.5122 = fdiv contract double %.5092, %.5118
   %.5132.le = tail call contract double @llvm.log.f64(double %.5122)
   %.133.i = getelementptr i8, ptr %arg.contents.4, i64 152
-  %.134.i = load i64, ptr %.133.i, align 8, !noalias !143
+  %.134.i = load i64, ptr %.133.i, align 8, !noalias !146
   %.147.i = getelementptr inbounds double, ptr %arg.weights.4, i64 %.134.i
-  %.228.i = load i64, ptr %.1046, align 8, !noalias !143
-  %.254.i = load double, ptr %.616, align 8, !noalias !143
+  %.228.i = load i64, ptr %.1046, align 8, !noalias !146
+  %.254.i = load double, ptr %.616, align 8, !noalias !146
   %.256.i = fadd contract double %.5108.le, %.254.i
   %.257.i = fadd contract double %.256.i, -1.000000e-09
   %7 = getelementptr double, ptr %.616, i64 %.137
   %.265.i = getelementptr i8, ptr %7, i64 -8
-  %.266.i = load double, ptr %.265.i, align 8, !noalias !143
+  %.266.i = load double, ptr %.265.i, align 8, !noalias !146
   %.273.i = fadd contract double %.5132.le, %.266.i
   %.274.i = fadd contract double %.273.i, 1.000000e-09
   %.293.i = add i64 %.228.i, -1
@@ -8109,7 +8109,7 @@ B1246:                                            ; preds = %for.end.1.endif.end
   br i1 %.295.i, label %B296.i, label %B404.i
 
 B296.i:                                           ; preds = %B1246
-  %.313.i = load double, ptr %.147.i, align 8, !noalias !143
+  %.313.i = load double, ptr %.147.i, align 8, !noalias !146
   %.317.i = fcmp contract olt double %.313.i, %.257.i
   br i1 %.317.i, label %B336.preheader.i, label %B404.i
 
@@ -8129,7 +8129,7 @@ B364.i:                                           ; preds = %B336.i
   %.323.i = add nuw nsw i64 %first.2.0.i, 1
   %11 = shl i64 %first.2.0.i, 3
   %scevgep12.i = getelementptr i8, ptr %scevgep11.i, i64 %11
-  %.352.i = load double, ptr %scevgep12.i, align 8, !noalias !143
+  %.352.i = load double, ptr %scevgep12.i, align 8, !noalias !146
   %.356.i = fcmp contract olt double %.352.i, %.257.i
   br i1 %.356.i, label %B336.i, label %B404.i
 
@@ -8142,7 +8142,7 @@ B404.i:                                           ; preds = %B364.i, %B336.i, %B
 B422.i:                                           ; preds = %B404.i
   %12 = getelementptr double, ptr %.147.i, i64 %.228.i
   %.400.i = getelementptr i8, ptr %12, i64 -16
-  %.401.i = load double, ptr %.400.i, align 8, !noalias !143
+  %.401.i = load double, ptr %.400.i, align 8, !noalias !146
   %.403.i = fcmp contract ogt double %.401.i, %.274.i
   br i1 %.403.i, label %B468.preheader.i, label %B1474
 
@@ -8161,7 +8161,7 @@ B468.i:                                           ; preds = %B496.i, %B468.prehe
 B496.i:                                           ; preds = %B468.i
   %16 = shl i64 %last.2.1.i, 3
   %scevgep9.i = getelementptr i8, ptr %scevgep.i, i64 %16
-  %.441.i = load double, ptr %scevgep9.i, align 8, !noalias !143
+  %.441.i = load double, ptr %scevgep9.i, align 8, !noalias !146
   %.443.i = fcmp contract ogt double %.441.i, %.274.i
   br i1 %.443.i, label %B468.i, label %B1474
 
@@ -8200,84 +8200,84 @@ B1551:                                            ; preds = %B1550
   %sunkaddr586 = getelementptr i8, ptr %sunkaddr585, i64 8
   %.5915 = load double, ptr %sunkaddr586, align 8
   %.105.i = getelementptr i8, ptr %arg.contents.4, i64 152
-  %.106.i = load i64, ptr %.105.i, align 8, !noalias !146
+  %.106.i = load i64, ptr %.105.i, align 8, !noalias !149
   %19 = getelementptr double, ptr %arg.weights.4, i64 %.106.i
   %.123.i = getelementptr double, ptr %19, i64 %.1090
   %20 = lshr i64 %.5880, 33
   %.190.i = and i64 %20, 1073741824
   %21 = getelementptr double, ptr %.123.i, i64 %.5880
   %.204.i = getelementptr double, ptr %21, i64 %.190.i
-  %.205.i = load double, ptr %.204.i, align 8, !noalias !146
+  %.205.i = load double, ptr %.204.i, align 8, !noalias !149
   %.384.i = fmul contract double %.5915, 0.000000e+00
   %.368.i = shl nsw i64 %.5880, 3
   %.369.i = or disjoint i64 %.368.i, 7
   %.395.i = getelementptr inbounds double, ptr %.1270, i64 %.369.i
-  %.396.i = load double, ptr %.395.i, align 8, !noalias !146
+  %.396.i = load double, ptr %.395.i, align 8, !noalias !149
   %.397.i = fadd contract double %.384.i, %.396.i
   %.384.1.i = fmul contract double %.5915, %.397.i
   %.369.1.i = or disjoint i64 %.368.i, 6
   %.395.1.i = getelementptr inbounds double, ptr %.1270, i64 %.369.1.i
-  %.396.1.i = load double, ptr %.395.1.i, align 8, !noalias !146
+  %.396.1.i = load double, ptr %.395.1.i, align 8, !noalias !149
   %.397.1.i = fadd contract double %.396.1.i, %.384.1.i
   %.384.2.i = fmul contract double %.5915, %.397.1.i
   %.369.2.i = or disjoint i64 %.368.i, 5
   %.395.2.i = getelementptr inbounds double, ptr %.1270, i64 %.369.2.i
-  %.396.2.i = load double, ptr %.395.2.i, align 8, !noalias !146
+  %.396.2.i = load double, ptr %.395.2.i, align 8, !noalias !149
   %.397.2.i = fadd contract double %.396.2.i, %.384.2.i
   %.384.3.i = fmul contract double %.5915, %.397.2.i
   %.369.3.i = or disjoint i64 %.368.i, 4
   %.395.3.i = getelementptr inbounds double, ptr %.1270, i64 %.369.3.i
-  %.396.3.i = load double, ptr %.395.3.i, align 8, !noalias !146
+  %.396.3.i = load double, ptr %.395.3.i, align 8, !noalias !149
   %.397.3.i = fadd contract double %.396.3.i, %.384.3.i
   %.384.4.i = fmul contract double %.5915, %.397.3.i
   %.369.4.i = or disjoint i64 %.368.i, 3
   %.395.4.i = getelementptr inbounds double, ptr %.1270, i64 %.369.4.i
-  %.396.4.i = load double, ptr %.395.4.i, align 8, !noalias !146
+  %.396.4.i = load double, ptr %.395.4.i, align 8, !noalias !149
   %.397.4.i = fadd contract double %.396.4.i, %.384.4.i
   %.384.5.i = fmul contract double %.5915, %.397.4.i
   %.369.5.i = or disjoint i64 %.368.i, 2
   %.395.5.i = getelementptr inbounds double, ptr %.1270, i64 %.369.5.i
-  %.396.5.i = load double, ptr %.395.5.i, align 8, !noalias !146
+  %.396.5.i = load double, ptr %.395.5.i, align 8, !noalias !149
   %.397.5.i = fadd contract double %.396.5.i, %.384.5.i
   %.384.6.i = fmul contract double %.5915, %.397.5.i
   %.369.6.i = or disjoint i64 %.368.i, 1
   %.395.6.i = getelementptr inbounds double, ptr %.1270, i64 %.369.6.i
-  %.396.6.i = load double, ptr %.395.6.i, align 8, !noalias !146
+  %.396.6.i = load double, ptr %.395.6.i, align 8, !noalias !149
   %.397.6.i = fadd contract double %.396.6.i, %.384.6.i
   %.384.7.i = fmul contract double %.5915, %.397.6.i
   %.395.7.i = getelementptr inbounds double, ptr %.1270, i64 %.368.i
-  %.396.7.i = load double, ptr %.395.7.i, align 8, !noalias !146
+  %.396.7.i = load double, ptr %.395.7.i, align 8, !noalias !149
   %.397.7.i = fadd contract double %.396.7.i, %.384.7.i
   %.377.i = getelementptr inbounds double, ptr %.1332, i64 %.369.i
-  %.378.i29 = load double, ptr %.377.i, align 8, !noalias !146
+  %.378.i29 = load double, ptr %.377.i, align 8, !noalias !149
   %.379.i = fadd contract double %.384.i, %.378.i29
   %.366.1.i = fmul contract double %.5915, %.379.i
   %.377.1.i = getelementptr inbounds double, ptr %.1332, i64 %.369.1.i
-  %.378.1.i = load double, ptr %.377.1.i, align 8, !noalias !146
+  %.378.1.i = load double, ptr %.377.1.i, align 8, !noalias !149
   %.379.1.i = fadd contract double %.378.1.i, %.366.1.i
   %.366.2.i = fmul contract double %.5915, %.379.1.i
   %.377.2.i = getelementptr inbounds double, ptr %.1332, i64 %.369.2.i
-  %.378.2.i = load double, ptr %.377.2.i, align 8, !noalias !146
+  %.378.2.i = load double, ptr %.377.2.i, align 8, !noalias !149
   %.379.2.i = fadd contract double %.378.2.i, %.366.2.i
   %.366.3.i = fmul contract double %.5915, %.379.2.i
   %.377.3.i = getelementptr inbounds double, ptr %.1332, i64 %.369.3.i
-  %.378.3.i = load double, ptr %.377.3.i, align 8, !noalias !146
+  %.378.3.i = load double, ptr %.377.3.i, align 8, !noalias !149
   %.379.3.i = fadd contract double %.378.3.i, %.366.3.i
   %.366.4.i = fmul contract double %.5915, %.379.3.i
   %.377.4.i = getelementptr inbounds double, ptr %.1332, i64 %.369.4.i
-  %.378.4.i = load double, ptr %.377.4.i, align 8, !noalias !146
+  %.378.4.i = load double, ptr %.377.4.i, align 8, !noalias !149
   %.379.4.i = fadd contract double %.378.4.i, %.366.4.i
   %.366.5.i = fmul contract double %.5915, %.379.4.i
   %.377.5.i = getelementptr inbounds double, ptr %.1332, i64 %.369.5.i
-  %.378.5.i = load double, ptr %.377.5.i, align 8, !noalias !146
+  %.378.5.i = load double, ptr %.377.5.i, align 8, !noalias !149
   %.379.5.i = fadd contract double %.378.5.i, %.366.5.i
   %.366.6.i = fmul contract double %.5915, %.379.5.i
   %.377.6.i = getelementptr inbounds double, ptr %.1332, i64 %.369.6.i
-  %.378.6.i = load double, ptr %.377.6.i, align 8, !noalias !146
+  %.378.6.i = load double, ptr %.377.6.i, align 8, !noalias !149
   %.379.6.i = fadd contract double %.378.6.i, %.366.6.i
   %.366.7.i = fmul contract double %.5915, %.379.6.i
   %.377.7.i = getelementptr inbounds double, ptr %.1332, i64 %.368.i
-  %.378.7.i = load double, ptr %.377.7.i, align 8, !noalias !146
+  %.378.7.i = load double, ptr %.377.7.i, align 8, !noalias !149
   %.379.7.i = fadd contract double %.378.7.i, %.366.7.i
   %.361.i = fadd contract double %.384.i, 0.000000e+00
   %.359.1.i = fmul contract double %.5915, %.361.i
@@ -8298,7 +8298,7 @@ B1551:                                            ; preds = %B1550
   %sunkaddr587 = shl i64 %.4272, 3
   %sunkaddr588 = getelementptr i8, ptr %arg.weights.4, i64 %sunkaddr587
   %sunkaddr589 = getelementptr i8, ptr %sunkaddr588, i64 8
-  %.451.i = load double, ptr %sunkaddr589, align 8, !noalias !146
+  %.451.i = load double, ptr %sunkaddr589, align 8, !noalias !149
   %.457.i = fmul contract double %.451.i, %.421.i30
   %.459.i = fsub contract double %.379.7.i, %.457.i
   br label %B7719
@@ -8367,35 +8367,35 @@ B94.if.i:                                         ; preds = %B94.if.i, %B94.if.l
   %lsr.iv12 = phi i64 [ %lsr.iv.next13, %B94.if.i ], [ %35, %B94.if.lr.ph.i ]
   %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
   %sunkaddr18 = getelementptr i8, ptr %arg.linear.4, i64 %lsr.iv53.i
-  %.554.i = load <8 x double>, ptr %sunkaddr18, align 8, !noalias !149
+  %.554.i = load <8 x double>, ptr %sunkaddr18, align 8, !noalias !152
   %sunkaddr20 = getelementptr i8, ptr %sunkaddr18, i64 8
-  %.565.i = load <8 x double>, ptr %sunkaddr20, align 8, !noalias !149
+  %.565.i = load <8 x double>, ptr %sunkaddr20, align 8, !noalias !152
   %scevgep576 = getelementptr i8, ptr %scevgep574, i64 %lsr.iv53.i
   %scevgep577 = getelementptr i8, ptr %scevgep576, i64 -8
-  %.575.i = load <8 x double>, ptr %scevgep577, align 8, !noalias !149
-  %.586.i = load <8 x double>, ptr %scevgep576, align 8, !noalias !149
+  %.575.i = load <8 x double>, ptr %scevgep577, align 8, !noalias !152
+  %.586.i = load <8 x double>, ptr %scevgep576, align 8, !noalias !152
   %scevgep32 = getelementptr i8, ptr %scevgep31, i64 %lsr.iv53.i
-  %.596.i = load <8 x double>, ptr %scevgep32, align 8, !noalias !149
+  %.596.i = load <8 x double>, ptr %scevgep32, align 8, !noalias !152
   %scevgep30 = getelementptr i8, ptr %scevgep29, i64 %lsr.iv53.i
-  %.606.i = load <8 x double>, ptr %scevgep30, align 8, !noalias !149
+  %.606.i = load <8 x double>, ptr %scevgep30, align 8, !noalias !152
   %.6.i.i = fsub contract <8 x double> %.565.i, %.554.i
   %.6.i46.i = fmul contract <8 x double> %.6.i.i, %.606.i
   %scevgep65.i = getelementptr i8, ptr %arg.scratch.4, i64 %lsr.iv53.i
-  store <8 x double> %.554.i, ptr %scevgep65.i, align 8, !noalias !149
+  store <8 x double> %.554.i, ptr %scevgep65.i, align 8, !noalias !152
   %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i)
   %.8.i.i = fmul contract <8 x double> %.669.i, splat (double 0x3FC5555555555555)
   %.6.i47.i = fmul contract <8 x double> %.596.i, %.8.i.i
   %.6.i48.i = fsub contract <8 x double> %.6.i46.i, %.6.i47.i
   %scevgep64.i = getelementptr i8, ptr %25, i64 %lsr.iv53.i
-  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !149
+  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !152
   %.8.i49.i = fmul contract <8 x double> %.575.i, splat (double 5.000000e-01)
   %scevgep63.i = getelementptr i8, ptr %26, i64 %lsr.iv53.i
-  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !149
+  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !152
   %.6.i50.i = fsub contract <8 x double> %.586.i, %.575.i
   %.6.i51.i = fmul contract <8 x double> %.6.i50.i, %.606.i
   %.8.i52.i = fmul contract <8 x double> %.6.i51.i, splat (double 0x3FC5555555555555)
   %scevgep62.i = getelementptr i8, ptr %27, i64 %lsr.iv53.i
-  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !149
+  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !152
   %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
   %lsr.iv.next13 = add nsw i64 %lsr.iv12, -1
   %.507.i = icmp sgt i64 %lsr.iv12, 6
@@ -8437,34 +8437,34 @@ B94.if.i199:                                      ; preds = %B94.if.i199, %B94.i
   %lsr.iv53.i200 = phi i64 [ %lsr.iv.next54.i229, %B94.if.i199 ], [ 0, %B94.if.lr.ph.i197 ]
   %scevgep570 = getelementptr i8, ptr %scevgep568, i64 %lsr.iv53.i200
   %scevgep571 = getelementptr i8, ptr %scevgep570, i64 -8
-  %.554.i203 = load <8 x double>, ptr %scevgep571, align 8, !noalias !152
-  %.565.i205 = load <8 x double>, ptr %scevgep570, align 8, !noalias !152
+  %.554.i203 = load <8 x double>, ptr %scevgep571, align 8, !noalias !155
+  %.565.i205 = load <8 x double>, ptr %scevgep570, align 8, !noalias !155
   %scevgep566 = getelementptr i8, ptr %scevgep, i64 %lsr.iv53.i200
   %scevgep567 = getelementptr i8, ptr %scevgep566, i64 -8
-  %.575.i207 = load <8 x double>, ptr %scevgep567, align 8, !noalias !152
-  %.586.i209 = load <8 x double>, ptr %scevgep566, align 8, !noalias !152
+  %.575.i207 = load <8 x double>, ptr %scevgep567, align 8, !noalias !155
+  %.586.i209 = load <8 x double>, ptr %scevgep566, align 8, !noalias !155
   %scevgep25 = getelementptr i8, ptr %scevgep24, i64 %lsr.iv53.i200
-  %.596.i211 = load <8 x double>, ptr %scevgep25, align 8, !noalias !152
+  %.596.i211 = load <8 x double>, ptr %scevgep25, align 8, !noalias !155
   %scevgep23 = getelementptr i8, ptr %scevgep22, i64 %lsr.iv53.i200
-  %.606.i213 = load <8 x double>, ptr %scevgep23, align 8, !noalias !152
+  %.606.i213 = load <8 x double>, ptr %scevgep23, align 8, !noalias !155
   %.6.i.i214 = fsub contract <8 x double> %.565.i205, %.554.i203
   %.6.i46.i215 = fmul contract <8 x double> %.6.i.i214, %.606.i213
   %scevgep65.i216 = getelementptr i8, ptr %.1193, i64 %lsr.iv53.i200
-  store <8 x double> %.554.i203, ptr %scevgep65.i216, align 8, !noalias !152
+  store <8 x double> %.554.i203, ptr %scevgep65.i216, align 8, !noalias !155
   %.669.i217 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i207, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i209)
   %.8.i.i218 = fmul contract <8 x double> %.669.i217, splat (double 0x3FC5555555555555)
   %.6.i47.i219 = fmul contract <8 x double> %.596.i211, %.8.i.i218
   %.6.i48.i220 = fsub contract <8 x double> %.6.i46.i215, %.6.i47.i219
   %scevgep64.i221 = getelementptr i8, ptr %37, i64 %lsr.iv53.i200
-  store <8 x double> %.6.i48.i220, ptr %scevgep64.i221, align 8, !noalias !152
+  store <8 x double> %.6.i48.i220, ptr %scevgep64.i221, align 8, !noalias !155
   %.8.i49.i222 = fmul contract <8 x double> %.575.i207, splat (double 5.000000e-01)
   %scevgep63.i223 = getelementptr i8, ptr %38, i64 %lsr.iv53.i200
-  store <8 x double> %.8.i49.i222, ptr %scevgep63.i223, align 8, !noalias !152
+  store <8 x double> %.8.i49.i222, ptr %scevgep63.i223, align 8, !noalias !155
   %.6.i50.i224 = fsub contract <8 x double> %.586.i209, %.575.i207
   %.6.i51.i225 = fmul contract <8 x double> %.6.i50.i224, %.606.i213
   %.8.i52.i226 = fmul contract <8 x double> %.6.i51.i225, splat (double 0x3FC5555555555555)
   %scevgep62.i227 = getelementptr i8, ptr %39, i64 %lsr.iv53.i200
-  store <8 x double> %.8.i52.i226, ptr %scevgep62.i227, align 8, !noalias !152
+  store <8 x double> %.8.i52.i226, ptr %scevgep62.i227, align 8, !noalias !155
   %lsr.iv.next54.i229 = add i64 %lsr.iv53.i200, 64
   %lsr.iv.next11 = add nsw i64 %lsr.iv10, -1
   %.507.i230 = icmp sgt i64 %lsr.iv10, 6
@@ -8541,8 +8541,8 @@ entry:
   %.230 = load i64, ptr %.229, align 8
   %.231.not = icmp eq i64 %.230, 0
   %.502 = icmp slt i64 %.110, 1
-  %or.cond = select i1 %.231.not, i1 true, i1 %.502, !prof !155
-  br i1 %or.cond, label %B218, label %.568.endif.preheader, !prof !155
+  %or.cond = select i1 %.231.not, i1 true, i1 %.502, !prof !158
+  br i1 %or.cond, label %B218, label %.568.endif.preheader, !prof !158
 
 B218:                                             ; preds = %.568.endif.preheader, %entry
   %.648 = getelementptr i8, ptr %arg.arguments.4, i64 72
@@ -8860,7 +8860,7 @@ B164.i:                                           ; preds = %B76871.i, %B164.lr.
   %.202.sroa.0.0260.i = phi i64 [ 0, %B164.lr.ph.i ], [ %.202.sroa.0.0.i, %B76871.i ]
   %.218708258.i = phi i64 [ 8, %B164.lr.ph.i ], [ %.218708.i, %B76871.i ]
   %.268.i = getelementptr inbounds double, ptr %arg.state.10.1.4, i64 %.202.sroa.0.0260.i
-  %.270.i = load <8 x double>, ptr %.268.i, align 8, !noalias !156
+  %.270.i = load <8 x double>, ptr %.268.i, align 8, !noalias !159
   %.8.i.i = fmul contract <8 x double> %.7.i.i, %.270.i
   %.302.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
   %.8.i262.i = fadd contract <8 x double> %.302.i, splat (double 0xC338000000000000)
@@ -8901,43 +8901,43 @@ B164.i:                                           ; preds = %B76871.i, %B164.lr.
   %.6.i277.i = xor <8 x i64> %11, %.6.i268.i
   %12 = bitcast <8 x i64> %.6.i277.i to <8 x double>
   %.799.i = getelementptr inbounds double, ptr %arg.state.10.0.4, i64 %.202.sroa.0.0260.i
-  %.801.i = load <8 x double>, ptr %.799.i, align 8, !noalias !156
+  %.801.i = load <8 x double>, ptr %.799.i, align 8, !noalias !159
   %.6.i278.i = fmul contract <8 x double> %.801.i, %12
   %.6.i279.i = fmul contract <8 x double> %.801.i, %10
   br i1 %7, label %B76871.i, label %B248.i
 
 B248.i:                                           ; preds = %B164.i
   %.1010.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.202.sroa.0.0260.i
-  %.1012.i = load <8 x double>, ptr %.1010.i, align 8, !noalias !156
+  %.1012.i = load <8 x double>, ptr %.1010.i, align 8, !noalias !159
   %.1028.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.202.sroa.0.0260.i
-  %.1030.i = load <8 x double>, ptr %.1028.i, align 8, !noalias !156
+  %.1030.i = load <8 x double>, ptr %.1028.i, align 8, !noalias !159
   %.1046.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.202.sroa.0.0260.i
-  %.1048.i = load <8 x double>, ptr %.1046.i, align 8, !noalias !156
+  %.1048.i = load <8 x double>, ptr %.1046.i, align 8, !noalias !159
   %.1064.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.202.sroa.0.0260.i
-  %.1066.i = load <8 x double>, ptr %.1064.i, align 8, !noalias !156
+  %.1066.i = load <8 x double>, ptr %.1064.i, align 8, !noalias !159
   br label %B76871.i
 
 B76871.i:                                         ; preds = %B248.i, %B164.i
-  %_add_v367_first.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1012.i, %B248.i ]
-  %_add_v367_second.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1030.i, %B248.i ]
-  %_add_v367_third.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1048.i, %B248.i ]
-  %_add_v367_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1066.i, %B248.i ]
-  %.1140.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v367_first.2.1.i)
+  %_add_v369_first.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1012.i, %B248.i ]
+  %_add_v369_second.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1030.i, %B248.i ]
+  %_add_v369_third.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1048.i, %B248.i ]
+  %_add_v369_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B164.i ], [ %.1066.i, %B248.i ]
+  %.1140.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v369_first.2.1.i)
   %.1144.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> %.116.i, <8 x double> %.1140.i)
   %.1152.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.202.sroa.0.0260.i
-  store <8 x double> %.1144.i, ptr %.1152.i, align 8, !noalias !156
-  %.1173.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.116.i, <8 x double> %_add_v367_second.2.1.i)
+  store <8 x double> %.1144.i, ptr %.1152.i, align 8, !noalias !159
+  %.1173.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.116.i, <8 x double> %_add_v369_second.2.1.i)
   %.1177.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> zeroinitializer, <8 x double> %.1173.i)
   %.1185.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.202.sroa.0.0260.i
-  store <8 x double> %.1177.i, ptr %.1185.i, align 8, !noalias !156
-  %.1254.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.6.i280.i, <8 x double> %_add_v367_third.2.1.i)
+  store <8 x double> %.1177.i, ptr %.1185.i, align 8, !noalias !159
+  %.1254.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> %.6.i280.i, <8 x double> %_add_v369_third.2.1.i)
   %.1258.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> zeroinitializer, <8 x double> %.1254.i)
   %.1266.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.202.sroa.0.0260.i
-  store <8 x double> %.1258.i, ptr %.1266.i, align 8, !noalias !156
-  %.1331.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v367_fourth.2.1.i)
+  store <8 x double> %.1258.i, ptr %.1266.i, align 8, !noalias !159
+  %.1331.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i279.i, <8 x double> zeroinitializer, <8 x double> %_add_v369_fourth.2.1.i)
   %.1337.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i278.i, <8 x double> %.121.i, <8 x double> %.1331.i)
   %.1347.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.202.sroa.0.0260.i
-  store <8 x double> %.1337.i, ptr %.1347.i, align 8, !noalias !156
+  store <8 x double> %.1337.i, ptr %.1347.i, align 8, !noalias !159
   %.212.i = icmp samesign ugt i64 %lsr.iv.i, 1
   %.225.i = add i64 %.218708258.i, 8
   %.218708.i = select i1 %.212.i, i64 %.225.i, i64 %.218708258.i
@@ -9014,11 +9014,11 @@ B18307:                                           ; preds = %B820, %B1352
   %.7199 = getelementptr double, ptr %.6667, i64 %.7183
   %.7288 = getelementptr i8, ptr %.2624, i64 328
   %.7289 = load double, ptr %.7288, align 8
-  %.173.i = load i64, ptr %.4792, align 8, !noalias !159
+  %.173.i = load i64, ptr %.4792, align 8, !noalias !162
   %.13.i.i = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.173.i)
   %.13.i1.i = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i.i)
   %.262.i = getelementptr i8, ptr %.4792, i64 8
-  %.263.i = load i64, ptr %.262.i, align 8, !noalias !159
+  %.263.i = load i64, ptr %.262.i, align 8, !noalias !162
   %.13.i2.i = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.263.i)
   %.13.i3.i = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i2.i)
   %.330.i = sub nsw i64 %.13.i1.i, %arg.ends.0
@@ -9071,7 +9071,7 @@ B50.i:                                            ; preds = %B77337.i, %B50.lr.p
   %.251937386.i = phi i64 [ %math, %B50.lr.ph.i ], [ %.251937.i, %B77337.i ]
   %.258968385.i = phi i64 [ 8, %B50.lr.ph.i ], [ %.258968.i, %B77337.i ]
   %.311.i = getelementptr inbounds double, ptr %.1177, i64 %.242.sroa.0.0387.i
-  %.313.i = load <8 x double>, ptr %.311.i, align 8, !noalias !162
+  %.313.i = load <8 x double>, ptr %.311.i, align 8, !noalias !165
   %.8.i.i2745 = fmul contract <8 x double> %.7.i.i2744, %.313.i
   %.343.i2746 = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i2745, <8 x double> %.342.i)
   br i1 %23, label %B77170.i, label %B512.if.preheader.i
@@ -9083,31 +9083,31 @@ B77170.loopexit.unr-lcssa.i:                      ; preds = %B512.if.i
   br i1 %26, label %B77170.i, label %B512.if.epil.i.preheader
 
 B512.if.epil.i.preheader:                         ; preds = %B77170.loopexit.unr-lcssa.i, %B512.if.preheader.i
-  %_velocity_v372_w.2.1934.epil.i.ph = phi <8 x double> [ %.343.i2746, %B512.if.preheader.i ], [ %.6.i391.3.i, %B77170.loopexit.unr-lcssa.i ]
+  %_velocity_v374_w.2.1934.epil.i.ph = phi <8 x double> [ %.343.i2746, %B512.if.preheader.i ], [ %.6.i391.3.i, %B77170.loopexit.unr-lcssa.i ]
   br label %B512.if.epil.i
 
 B512.if.epil.i:                                   ; preds = %B512.if.epil.i.preheader, %B512.if.epil.i
   %lsr.iv426.i = phi i64 [ %lsr.iv.next427.i, %B512.if.epil.i ], [ %xtraiter.i, %B512.if.epil.i.preheader ]
-  %_velocity_v372_w.2.1934.epil.i = phi <8 x double> [ %.6.i391.epil.i, %B512.if.epil.i ], [ %_velocity_v372_w.2.1934.epil.i.ph, %B512.if.epil.i.preheader ]
-  %.6.i391.epil.i = fmul contract <8 x double> %.343.i2746, %_velocity_v372_w.2.1934.epil.i
+  %_velocity_v374_w.2.1934.epil.i = phi <8 x double> [ %.6.i391.epil.i, %B512.if.epil.i ], [ %_velocity_v374_w.2.1934.epil.i.ph, %B512.if.epil.i.preheader ]
+  %.6.i391.epil.i = fmul contract <8 x double> %.343.i2746, %_velocity_v374_w.2.1934.epil.i
   %lsr.iv.next427.i = add nsw i64 %lsr.iv426.i, -1
   %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next427.i, 0
-  br i1 %epil.iter.cmp.not.i, label %B77170.i, label %B512.if.epil.i, !llvm.loop !165
+  br i1 %epil.iter.cmp.not.i, label %B77170.i, label %B512.if.epil.i, !llvm.loop !168
 
 B77170.i:                                         ; preds = %B512.if.epil.i, %B77170.loopexit.unr-lcssa.i, %B50.i
-  %_velocity_v372_w.2.1.lcssa.i = phi <8 x double> [ %.343.i2746, %B50.i ], [ %.6.i391.3.i, %B77170.loopexit.unr-lcssa.i ], [ %.6.i391.epil.i, %B512.if.epil.i ]
+  %_velocity_v374_w.2.1.lcssa.i = phi <8 x double> [ %.343.i2746, %B50.i ], [ %.6.i391.3.i, %B77170.loopexit.unr-lcssa.i ], [ %.6.i391.epil.i, %B512.if.epil.i ]
   %.518.i = getelementptr inbounds double, ptr %arg.state.10.2.4, i64 %.242.sroa.0.0387.i
-  %.520.i = load <8 x double>, ptr %.518.i, align 8, !noalias !162
-  %.6.i389.i = fmul contract <8 x double> %_velocity_v372_w.2.1.lcssa.i, %.520.i
+  %.520.i = load <8 x double>, ptr %.518.i, align 8, !noalias !165
+  %.6.i389.i = fmul contract <8 x double> %_velocity_v374_w.2.1.lcssa.i, %.520.i
   %.560.i = getelementptr inbounds double, ptr %arg.state.10.3.4, i64 %.242.sroa.0.0387.i
-  %.562.i = load <8 x double>, ptr %.560.i, align 8, !noalias !162
-  %.6.i392.i = fmul contract <8 x double> %_velocity_v372_w.2.1.lcssa.i, %.562.i
+  %.562.i = load <8 x double>, ptr %.560.i, align 8, !noalias !165
+  %.6.i392.i = fmul contract <8 x double> %_velocity_v374_w.2.1.lcssa.i, %.562.i
   %.598.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i389.i, <8 x double> %.597.i, <8 x double> %.595.i)
   %.8.i395.i = fmul contract <8 x double> %.597.i, %.6.i392.i
   %.637.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i389.i, <8 x double> %.636.i, <8 x double> %.634.i)
   %.8.i398.i = fmul contract <8 x double> %.636.i, %.6.i392.i
   %.687.i = getelementptr inbounds double, ptr %arg.state.10.1.4, i64 %.242.sroa.0.0387.i
-  %.689.i = load <8 x double>, ptr %.687.i, align 8, !noalias !162
+  %.689.i = load <8 x double>, ptr %.687.i, align 8, !noalias !165
   %.8.i401.i = fmul contract <8 x double> %.7.i400.i, %.689.i
   %.721.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i401.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
   %.8.i402.i = fadd contract <8 x double> %.721.i, splat (double 0xC338000000000000)
@@ -9148,46 +9148,46 @@ B77170.i:                                         ; preds = %B512.if.epil.i, %B7
   %.6.i417.i = xor <8 x i64> %30, %.6.i408.i
   %31 = bitcast <8 x i64> %.6.i417.i to <8 x double>
   %.1218.i = getelementptr inbounds double, ptr %arg.state.10.0.4, i64 %.242.sroa.0.0387.i
-  %.1220.i = load <8 x double>, ptr %.1218.i, align 8, !noalias !162
+  %.1220.i = load <8 x double>, ptr %.1218.i, align 8, !noalias !165
   %.6.i418.i = fmul contract <8 x double> %.1220.i, %31
   %.6.i419.i = fmul contract <8 x double> %.1220.i, %29
   br i1 %24, label %B77337.i, label %B77184.i
 
 B77184.i:                                         ; preds = %B77170.i
   %.1420.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.242.sroa.0.0387.i
-  %.1422.i = load <8 x double>, ptr %.1420.i, align 8, !noalias !162
+  %.1422.i = load <8 x double>, ptr %.1420.i, align 8, !noalias !165
   %.1438.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.242.sroa.0.0387.i
-  %.1440.i = load <8 x double>, ptr %.1438.i, align 8, !noalias !162
+  %.1440.i = load <8 x double>, ptr %.1438.i, align 8, !noalias !165
   %.1456.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.242.sroa.0.0387.i
-  %.1458.i = load <8 x double>, ptr %.1456.i, align 8, !noalias !162
+  %.1458.i = load <8 x double>, ptr %.1456.i, align 8, !noalias !165
   %.1474.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.242.sroa.0.0387.i
-  %.1476.i = load <8 x double>, ptr %.1474.i, align 8, !noalias !162
+  %.1476.i = load <8 x double>, ptr %.1474.i, align 8, !noalias !165
   br label %B77337.i
 
 B77337.i:                                         ; preds = %B77184.i, %B77170.i
-  %_add_v375_first.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1422.i, %B77184.i ]
-  %_add_v375_second.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1440.i, %B77184.i ]
-  %_add_v375_third.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1458.i, %B77184.i ]
-  %_add_v375_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1476.i, %B77184.i ]
+  %_add_v377_first.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1422.i, %B77184.i ]
+  %_add_v377_second.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1440.i, %B77184.i ]
+  %_add_v377_third.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1458.i, %B77184.i ]
+  %_add_v377_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B77170.i ], [ %.1476.i, %B77184.i ]
   %.6.i390.i = fsub contract <8 x double> zeroinitializer, %.8.i395.i
-  %.1550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i390.i, <8 x double> %_add_v375_first.2.1.i)
+  %.1550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i390.i, <8 x double> %_add_v377_first.2.1.i)
   %.1554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.598.i, <8 x double> %.1550.i)
   %.1562.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.242.sroa.0.0387.i
-  store <8 x double> %.1554.i, ptr %.1562.i, align 8, !noalias !162
-  %.1583.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.598.i, <8 x double> %_add_v375_second.2.1.i)
+  store <8 x double> %.1554.i, ptr %.1562.i, align 8, !noalias !165
+  %.1583.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.598.i, <8 x double> %_add_v377_second.2.1.i)
   %.1587.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.8.i395.i, <8 x double> %.1583.i)
   %.1595.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.242.sroa.0.0387.i
-  store <8 x double> %.1587.i, ptr %.1595.i, align 8, !noalias !162
+  store <8 x double> %.1587.i, ptr %.1595.i, align 8, !noalias !165
   %.6.i420.i = fsub contract <8 x double> zeroinitializer, %.8.i398.i
   %.6.i421.i = fsub contract <8 x double> zeroinitializer, %.637.i
-  %.1664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i421.i, <8 x double> %_add_v375_third.2.1.i)
+  %.1664.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i421.i, <8 x double> %_add_v377_third.2.1.i)
   %.1668.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.6.i420.i, <8 x double> %.1664.i)
   %.1676.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.242.sroa.0.0387.i
-  store <8 x double> %.1668.i, ptr %.1676.i, align 8, !noalias !162
-  %.1741.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i420.i, <8 x double> %_add_v375_fourth.2.1.i)
+  store <8 x double> %.1668.i, ptr %.1676.i, align 8, !noalias !165
+  %.1741.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i419.i, <8 x double> %.6.i420.i, <8 x double> %_add_v377_fourth.2.1.i)
   %.1747.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i418.i, <8 x double> %.637.i, <8 x double> %.1741.i)
   %.1757.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.242.sroa.0.0387.i
-  store <8 x double> %.1747.i, ptr %.1757.i, align 8, !noalias !162
+  store <8 x double> %.1747.i, ptr %.1757.i, align 8, !noalias !165
   %.252.i = icmp sgt i64 %.251937386.i, 0
   %.265.i = add i64 %.258968385.i, 8
   %.258968.i = select i1 %.252.i, i64 %.265.i, i64 %.258968385.i
@@ -9198,8 +9198,8 @@ B77337.i:                                         ; preds = %B77184.i, %B77170.i
 
 B512.if.i:                                        ; preds = %B512.if.preheader.i, %B512.if.i
   %lsr.iv80 = phi i64 [ %lsr.iv.next81, %B512.if.i ], [ %22, %B512.if.preheader.i ]
-  %_velocity_v372_w.2.1934.i = phi <8 x double> [ %.6.i391.3.i, %B512.if.i ], [ %.343.i2746, %B512.if.preheader.i ]
-  %.6.i391.i = fmul contract <8 x double> %.343.i2746, %_velocity_v372_w.2.1934.i
+  %_velocity_v374_w.2.1934.i = phi <8 x double> [ %.6.i391.3.i, %B512.if.i ], [ %.343.i2746, %B512.if.preheader.i ]
+  %.6.i391.i = fmul contract <8 x double> %.343.i2746, %_velocity_v374_w.2.1934.i
   %.6.i391.1.i = fmul contract <8 x double> %.343.i2746, %.6.i391.i
   %.6.i391.2.i = fmul contract <8 x double> %.343.i2746, %.6.i391.1.i
   %.6.i391.3.i = fmul contract <8 x double> %.343.i2746, %.6.i391.2.i
@@ -9213,8 +9213,8 @@ B75808:                                           ; preds = %B77337.i, %B76871.i
   %.1618 = icmp slt i64 %k.5.1, %.1616
   br i1 %.1618, label %B820.backedge, label %B76211
 
-B820.backedge:                                    ; preds = %B75808, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
-  %k.6.1.be = phi i64 [ %.12153, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit ], [ %k.5.1, %B75808 ]
+B820.backedge:                                    ; preds = %B75808, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v378B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
+  %k.6.1.be = phi i64 [ %.12153, %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v378B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit ], [ %k.5.1, %B75808 ]
   br label %B820
 
 B75886:                                           ; preds = %B37577
@@ -9280,11 +9280,11 @@ B75886:                                           ; preds = %B37577
   %.11381 = load i64, ptr %.665, align 8
   %.11397 = getelementptr double, ptr %.10860, i64 %.11381
   %.11487 = load double, ptr %.7288, align 8
-  %.173.i3055 = load i64, ptr %.8985, align 8, !noalias !166
+  %.173.i3055 = load i64, ptr %.8985, align 8, !noalias !169
   %.13.i.i3056 = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.173.i3055)
   %.13.i1.i3057 = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i.i3056)
   %.262.i3058 = getelementptr i8, ptr %.8985, i64 8
-  %.263.i3059 = load i64, ptr %.262.i3058, align 8, !noalias !166
+  %.263.i3059 = load i64, ptr %.262.i3058, align 8, !noalias !169
   %.13.i2.i3060 = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.263.i3059)
   %.13.i3.i3061 = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i2.i3060)
   %.330.i3062 = sub nsw i64 %.13.i1.i3057, %arg.ends.0
@@ -9295,7 +9295,7 @@ B75886:                                           ; preds = %B37577
   %.410442.not.i3066 = or i1 %.368.inv.i3064, %.410442.not453.i3065
   br i1 %.410442.not.i3066, label %B348.i3105, label %B198.if.lr.ph.i3067
 
-B76211:                                           ; preds = %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, %B75808, %entry
+B76211:                                           ; preds = %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v378B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, %B75808, %entry
   store ptr null, ptr %.12445, align 8
   call fastcc void @inner_26(ptr nonnull %.12445, i64 %arg.i, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.state.0.4, i64 %.580, ptr %arg.state.11.0.4, ptr %arg.state.11.1.4, ptr %arg.state.11.2.4, ptr %arg.state.11.3.4, ptr %arg.state.14.4)
   store ptr null, ptr %retptr, align 8
@@ -9341,17 +9341,17 @@ B198.if.epil.preheader.i:                         ; preds = %B198.if.lr.ph.i, %B
 B198.if.epil.i:                                   ; preds = %B198.if.epil.i, %B198.if.epil.preheader.i
   %lsr.iv52.i = phi i64 [ %lsr.iv.next53.i, %B198.if.epil.i ], [ 0, %B198.if.epil.preheader.i ]
   %scevgep56.i = getelementptr i8, ptr %scevgep55.i, i64 %lsr.iv52.i
-  store <8 x double> %.451.i, ptr %scevgep56.i, align 8, !noalias !159
+  store <8 x double> %.451.i, ptr %scevgep56.i, align 8, !noalias !162
   %scevgep54.i = getelementptr i8, ptr %scevgep51.i, i64 %lsr.iv52.i
-  store <8 x double> %.465.i, ptr %scevgep54.i, align 8, !noalias !159
+  store <8 x double> %.465.i, ptr %scevgep54.i, align 8, !noalias !162
   %lsr.iv.next53.i = add nuw nsw i64 %lsr.iv52.i, 64
   %epil.iter.cmp.not.i2927 = icmp eq i64 %44, %lsr.iv.next53.i
-  br i1 %epil.iter.cmp.not.i2927, label %B348.i, label %B198.if.epil.i, !llvm.loop !169
+  br i1 %epil.iter.cmp.not.i2927, label %B348.i, label %B198.if.epil.i, !llvm.loop !172
 
 B348.i:                                           ; preds = %B198.if.epil.i, %B348.loopexit.unr-lcssa.i, %B18307
   %.487.i = sub nsw i64 %.13.i3.i, %arg.ends.0
   %sunkaddr109 = getelementptr i8, ptr %.4792, i64 16
-  %.653.i = load i64, ptr %sunkaddr109, align 8, !noalias !159
+  %.653.i = load i64, ptr %sunkaddr109, align 8, !noalias !162
   %.126.i.i = icmp slt i64 %.13.i.i, %.13.i3.i
   br i1 %.126.i.i, label %B22.preheader.i.i, label %B348.endif.endif.endif.i
 
@@ -9381,25 +9381,25 @@ B198.if.i:                                        ; preds = %B198.if.i, %B198.if
   %.416441443.i = phi i64 [ %.423.3.i, %B198.if.i ], [ 0, %B198.if.lr.ph.new.i ]
   %sunkaddr110 = shl i64 %.416441443.i, 3
   %sunkaddr111 = getelementptr i8, ptr %arg.state.10.2.4, i64 %sunkaddr110
-  store <8 x double> %.451.i, ptr %sunkaddr111, align 8, !noalias !159
+  store <8 x double> %.451.i, ptr %sunkaddr111, align 8, !noalias !162
   %sunkaddr113 = getelementptr i8, ptr %arg.state.10.3.4, i64 %sunkaddr110
-  store <8 x double> %.465.i, ptr %sunkaddr113, align 8, !noalias !159
+  store <8 x double> %.465.i, ptr %sunkaddr113, align 8, !noalias !162
   %sunkaddr116 = getelementptr i8, ptr %sunkaddr111, i64 64
-  store <8 x double> %.451.i, ptr %sunkaddr116, align 8, !noalias !159
+  store <8 x double> %.451.i, ptr %sunkaddr116, align 8, !noalias !162
   %sunkaddr119 = getelementptr i8, ptr %sunkaddr113, i64 64
-  store <8 x double> %.465.i, ptr %sunkaddr119, align 8, !noalias !159
+  store <8 x double> %.465.i, ptr %sunkaddr119, align 8, !noalias !162
   %sunkaddr122 = getelementptr i8, ptr %sunkaddr111, i64 128
-  store <8 x double> %.451.i, ptr %sunkaddr122, align 8, !noalias !159
+  store <8 x double> %.451.i, ptr %sunkaddr122, align 8, !noalias !162
   %sunkaddr128 = getelementptr i8, ptr %sunkaddr113, i64 128
-  store <8 x double> %.465.i, ptr %sunkaddr128, align 8, !noalias !159
+  store <8 x double> %.465.i, ptr %sunkaddr128, align 8, !noalias !162
   %.423.3.i = add i64 %.416441443.i, 32
   %sunkaddr131 = shl i64 %.423.3.i, 3
   %sunkaddr132 = getelementptr i8, ptr %arg.state.10.2.4, i64 %sunkaddr131
   %sunkaddr133 = getelementptr i8, ptr %sunkaddr132, i64 -64
-  store <8 x double> %.451.i, ptr %sunkaddr133, align 8, !noalias !159
+  store <8 x double> %.451.i, ptr %sunkaddr133, align 8, !noalias !162
   %sunkaddr135 = getelementptr i8, ptr %arg.state.10.3.4, i64 %sunkaddr131
   %sunkaddr136 = getelementptr i8, ptr %sunkaddr135, i64 -64
-  store <8 x double> %.465.i, ptr %sunkaddr136, align 8, !noalias !159
+  store <8 x double> %.465.i, ptr %sunkaddr136, align 8, !noalias !162
   %lsr.iv.next15 = add i64 %lsr.iv14, 4
   %niter.ncmp.3.not.i = icmp eq i64 %lsr.iv.next15, 0
   br i1 %niter.ncmp.3.not.i, label %B348.loopexit.unr-lcssa.i, label %B198.if.i
@@ -9415,7 +9415,7 @@ B22.i.i:                                          ; preds = %B926.i.i, %B22.preh
   %cell.2.0.i.i = phi i64 [ %cell.3.2.i.i, %B926.i.i ], [ %.653.i, %B22.preheader.i.i ]
   %start.2.0.i.i = phi i64 [ %.13.i.i.i, %B926.i.i ], [ %.13.i1.i, %B22.preheader.i.i ]
   %.149.i.i = getelementptr inbounds i64, ptr %.5963, i64 %cell.2.0.i.i
-  %.150.i.i = load i64, ptr %.149.i.i, align 8, !noalias !170
+  %.150.i.i = load i64, ptr %.149.i.i, align 8, !noalias !173
   %.154.not.i.i = icmp sgt i64 %.150.i.i, %start.2.0.i.i
   br i1 %.154.not.i.i, label %B112.i.i, label %B62.i.i
 
@@ -9424,14 +9424,14 @@ B62.i.i:                                          ; preds = %B22.i.i, %B62.i.i
   %.157.i.i = add i64 %cell.4.1.i.i, 1
   %52 = shl i64 %cell.4.1.i.i, 3
   %scevgep3906 = getelementptr i8, ptr %scevgep3905, i64 %52
-  %.170.i.i = load i64, ptr %scevgep3906, align 8, !noalias !170
+  %.170.i.i = load i64, ptr %scevgep3906, align 8, !noalias !173
   %.172.not.i.i = icmp sgt i64 %.170.i.i, %start.2.0.i.i
   br i1 %.172.not.i.i, label %B112.i.i, label %B62.i.i
 
 B112.i.i:                                         ; preds = %B62.i.i, %B22.i.i
   %cell.3.2.i.i = phi i64 [ %cell.2.0.i.i, %B22.i.i ], [ %.157.i.i, %B62.i.i ]
   %.184.i.i = getelementptr inbounds i64, ptr %.5963, i64 %cell.3.2.i.i
-  %.185.i.i = load i64, ptr %.184.i.i, align 8, !noalias !170
+  %.185.i.i = load i64, ptr %.184.i.i, align 8, !noalias !173
   %.13.i.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i3.i, i64 %.185.i.i)
   %.395.i.i = sub i64 %.13.i.i.i, %start.2.0.i.i
   %53 = add i64 %.395.i.i, 7
@@ -9447,27 +9447,27 @@ B926.i.i:                                         ; preds = %B570.if.i.i, %B112.
 
 B570.if.lr.ph.i.i:                                ; preds = %B112.i.i
   %.228.i.i = getelementptr inbounds double, ptr %.4953, i64 %cell.3.2.i.i
-  %.229.i.i = load double, ptr %.228.i.i, align 8, !noalias !170
+  %.229.i.i = load double, ptr %.228.i.i, align 8, !noalias !173
   %.231.i.i = fsub contract double %.7289, %.229.i.i
   %.279.i.i = add nsw i64 %cell.3.2.i.i, %.277.i.i
   %.347.i.i = getelementptr inbounds double, ptr %.4714, i64 %.279.i.i
-  %.348.i.i = load double, ptr %.347.i.i, align 8, !noalias !170
+  %.348.i.i = load double, ptr %.347.i.i, align 8, !noalias !173
   %.266.i.i = add nsw i64 %cell.3.2.i.i, %.6410
   %.334.i.i = getelementptr inbounds double, ptr %.4714, i64 %.266.i.i
-  %.335.i.i = load double, ptr %.334.i.i, align 8, !noalias !170
+  %.335.i.i = load double, ptr %.334.i.i, align 8, !noalias !173
   %.247.i.i = sub i64 %cell.3.2.i.i, %.4508.1
   %.315.i.i = getelementptr inbounds double, ptr %.4714, i64 %.247.i.i
-  %.316.i.i = load double, ptr %.315.i.i, align 8, !noalias !170
+  %.316.i.i = load double, ptr %.315.i.i, align 8, !noalias !173
   %.303.i.i = getelementptr inbounds double, ptr %.4714, i64 %cell.3.2.i.i
-  %.304.i.i = load double, ptr %.303.i.i, align 8, !noalias !170
+  %.304.i.i = load double, ptr %.303.i.i, align 8, !noalias !173
   %.287.i.i = getelementptr inbounds double, ptr %.4589, i64 %.279.i.i
-  %.288.i.i = load double, ptr %.287.i.i, align 8, !noalias !170
+  %.288.i.i = load double, ptr %.287.i.i, align 8, !noalias !173
   %.274.i.i = getelementptr inbounds double, ptr %.4589, i64 %.266.i.i
-  %.275.i.i = load double, ptr %.274.i.i, align 8, !noalias !170
+  %.275.i.i = load double, ptr %.274.i.i, align 8, !noalias !173
   %.255.i.i = getelementptr inbounds double, ptr %.4589, i64 %.247.i.i
-  %.256.i.i = load double, ptr %.255.i.i, align 8, !noalias !170
+  %.256.i.i = load double, ptr %.255.i.i, align 8, !noalias !173
   %.243.i.i = getelementptr inbounds double, ptr %.4589, i64 %cell.3.2.i.i
-  %.244.i.i = load double, ptr %.243.i.i, align 8, !noalias !170
+  %.244.i.i = load double, ptr %.243.i.i, align 8, !noalias !173
   %.514.i.i = insertelement <8 x double> poison, double %.288.i.i, i64 0
   %.515.i.i = shufflevector <8 x double> %.514.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.517.i.i = insertelement <8 x double> poison, double %.275.i.i, i64 0
@@ -9494,18 +9494,18 @@ B570.if.i.i:                                      ; preds = %B570.if.i.i, %B570.
   %lsr.iv31 = phi i64 [ %lsr.iv.next32, %B570.if.i.i ], [ %55, %B570.if.lr.ph.i.i ]
   %lsr.iv8.i.i = phi i64 [ %lsr.iv.next9.i.i, %B570.if.i.i ], [ %54, %B570.if.lr.ph.i.i ]
   %scevgep13.i.i = getelementptr i8, ptr %.7199, i64 %lsr.iv8.i.i
-  %.485.i.i = load <8 x double>, ptr %scevgep13.i.i, align 8, !noalias !170
+  %.485.i.i = load <8 x double>, ptr %scevgep13.i.i, align 8, !noalias !173
   %.8.i.i.i = fadd contract <8 x double> %.7.i.i.i, %.485.i.i
   %.519.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.515.i.i, <8 x double> %.518.i.i)
   %.523.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.519.i.i, <8 x double> %.522.i.i)
   %.527.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.523.i.i, <8 x double> %.526.i.i)
   %scevgep3912 = getelementptr i8, ptr %scevgep3911, i64 %lsr.iv8.i.i
-  store <8 x double> %.527.i.i, ptr %scevgep3912, align 8, !noalias !170
+  store <8 x double> %.527.i.i, ptr %scevgep3912, align 8, !noalias !173
   %.546.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.542.i.i, <8 x double> %.545.i.i)
   %.550.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.546.i.i, <8 x double> %.549.i.i)
   %.554.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.550.i.i, <8 x double> %.553.i.i)
   %scevgep3910 = getelementptr i8, ptr %scevgep3909, i64 %lsr.iv8.i.i
-  store <8 x double> %.554.i.i, ptr %scevgep3910, align 8, !noalias !170
+  store <8 x double> %.554.i.i, ptr %scevgep3910, align 8, !noalias !173
   %lsr.iv.next9.i.i = add i64 %lsr.iv8.i.i, 64
   %lsr.iv.next32 = add nsw i64 %lsr.iv31, -1
   %.438.i.i = icmp sgt i64 %lsr.iv31, 8
@@ -9513,7 +9513,7 @@ B570.if.i.i:                                      ; preds = %B570.if.i.i, %B570.
 
 B348.endif.endif.endif.i:                         ; preds = %B926.i.i, %B348.i
   %cell.5.1.i.i = phi i64 [ %.653.i, %B348.i ], [ %cell.3.2.i.i, %B926.i.i ]
-  store i64 %cell.5.1.i.i, ptr %sunkaddr109, align 8, !noalias !159
+  store i64 %cell.5.1.i.i, ptr %sunkaddr109, align 8, !noalias !162
   %.835.i = sub i64 %arg.ends.1, %.13.i3.i
   %56 = add i64 %.835.i, 7
   %.857.i = lshr i64 %56, 3
@@ -9542,13 +9542,13 @@ B590.if.prol.i:                                   ; preds = %B590.if.prol.i, %B5
   %.891.prol.i = add i64 %.884447449.prol.i, 8
   %59 = shl i64 %.884447449.prol.i, 3
   %scevgep46.i = getelementptr i8, ptr %arg.state.10.2.4, i64 %59
-  store <8 x double> %.919.i, ptr %scevgep46.i, align 8, !noalias !159
+  store <8 x double> %.919.i, ptr %scevgep46.i, align 8, !noalias !162
   %scevgep45.i = getelementptr i8, ptr %arg.state.10.3.4, i64 %59
-  store <8 x double> %.933.i, ptr %scevgep45.i, align 8, !noalias !159
+  store <8 x double> %.933.i, ptr %scevgep45.i, align 8, !noalias !162
   %60 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv33, i64 1)
   %math139 = extractvalue { i64, i1 } %60, 0
   %ov140 = extractvalue { i64, i1 } %60, 1
-  br i1 %ov140, label %B590.if.prol.loopexit.loopexit.i, label %B590.if.prol.i, !llvm.loop !173
+  br i1 %ov140, label %B590.if.prol.loopexit.loopexit.i, label %B590.if.prol.i, !llvm.loop !176
 
 B590.if.prol.loopexit.loopexit.i:                 ; preds = %B590.if.prol.i
   %61 = and i64 %.857.i, 2305843009213693948
@@ -9571,20 +9571,20 @@ B590.if.i:                                        ; preds = %B590.if.i, %B590.if
   %lsr.iv30.i = phi i64 [ %lsr.iv.next31.i, %B590.if.i ], [ %64, %B590.if.preheader.i ]
   %scevgep41.i = getelementptr i8, ptr %arg.state.10.2.4, i64 %lsr.iv30.i
   %scevgep42.i = getelementptr i8, ptr %scevgep41.i, i64 -192
-  store <8 x double> %.919.i, ptr %scevgep42.i, align 8, !noalias !159
+  store <8 x double> %.919.i, ptr %scevgep42.i, align 8, !noalias !162
   %scevgep34.i = getelementptr i8, ptr %arg.state.10.3.4, i64 %lsr.iv30.i
   %scevgep35.i = getelementptr i8, ptr %scevgep34.i, i64 -192
-  store <8 x double> %.933.i, ptr %scevgep35.i, align 8, !noalias !159
+  store <8 x double> %.933.i, ptr %scevgep35.i, align 8, !noalias !162
   %scevgep44 = getelementptr i8, ptr %scevgep41.i, i64 -128
-  store <8 x double> %.919.i, ptr %scevgep44, align 8, !noalias !159
+  store <8 x double> %.919.i, ptr %scevgep44, align 8, !noalias !162
   %scevgep37.i = getelementptr i8, ptr %scevgep34.i, i64 -128
-  store <8 x double> %.933.i, ptr %scevgep37.i, align 8, !noalias !159
+  store <8 x double> %.933.i, ptr %scevgep37.i, align 8, !noalias !162
   %scevgep42 = getelementptr i8, ptr %scevgep41.i, i64 -64
-  store <8 x double> %.919.i, ptr %scevgep42, align 8, !noalias !159
+  store <8 x double> %.919.i, ptr %scevgep42, align 8, !noalias !162
   %scevgep39 = getelementptr i8, ptr %scevgep34.i, i64 -64
-  store <8 x double> %.933.i, ptr %scevgep39, align 8, !noalias !159
-  store <8 x double> %.919.i, ptr %scevgep41.i, align 8, !noalias !159
-  store <8 x double> %.933.i, ptr %scevgep34.i, align 8, !noalias !159
+  store <8 x double> %.933.i, ptr %scevgep39, align 8, !noalias !162
+  store <8 x double> %.919.i, ptr %scevgep41.i, align 8, !noalias !162
+  store <8 x double> %.933.i, ptr %scevgep34.i, align 8, !noalias !162
   %lsr.iv.next31.i = add i64 %lsr.iv30.i, 256
   %lsr.iv.next36 = add nsw i64 %lsr.iv35, -4
   %.878.3.i = icmp sgt i64 %lsr.iv35, 28
@@ -9639,17 +9639,17 @@ B198.if.epil.preheader.i3095:                     ; preds = %B198.if.lr.ph.i3067
 B198.if.epil.i3099:                               ; preds = %B198.if.epil.i3099, %B198.if.epil.preheader.i3095
   %lsr.iv52.i3100 = phi i64 [ %lsr.iv.next53.i3103, %B198.if.epil.i3099 ], [ 0, %B198.if.epil.preheader.i3095 ]
   %scevgep56.i3101 = getelementptr i8, ptr %scevgep55.i3098, i64 %lsr.iv52.i3100
-  store <8 x double> %.451.i3069, ptr %scevgep56.i3101, align 8, !noalias !166
+  store <8 x double> %.451.i3069, ptr %scevgep56.i3101, align 8, !noalias !169
   %scevgep54.i3102 = getelementptr i8, ptr %scevgep51.i3097, i64 %lsr.iv52.i3100
-  store <8 x double> %.465.i3071, ptr %scevgep54.i3102, align 8, !noalias !166
+  store <8 x double> %.465.i3071, ptr %scevgep54.i3102, align 8, !noalias !169
   %lsr.iv.next53.i3103 = add nuw nsw i64 %lsr.iv52.i3100, 64
   %epil.iter.cmp.not.i3104 = icmp eq i64 %71, %lsr.iv.next53.i3103
-  br i1 %epil.iter.cmp.not.i3104, label %B348.i3105, label %B198.if.epil.i3099, !llvm.loop !169
+  br i1 %epil.iter.cmp.not.i3104, label %B348.i3105, label %B198.if.epil.i3099, !llvm.loop !172
 
 B348.i3105:                                       ; preds = %B198.if.epil.i3099, %B348.loopexit.unr-lcssa.i3093, %B75886
   %.487.i3106 = sub nsw i64 %.13.i3.i3061, %arg.ends.0
   %sunkaddr146 = getelementptr i8, ptr %.8985, i64 16
-  %.653.i3108 = load i64, ptr %sunkaddr146, align 8, !noalias !166
+  %.653.i3108 = load i64, ptr %sunkaddr146, align 8, !noalias !169
   %.126.i.i3109 = icmp slt i64 %.13.i.i3056, %.13.i3.i3061
   br i1 %.126.i.i3109, label %B22.preheader.i.i3151, label %B348.endif.endif.endif.i3110
 
@@ -9679,25 +9679,25 @@ B198.if.i3075:                                    ; preds = %B198.if.i3075, %B19
   %.416441443.i3077 = phi i64 [ %.423.3.i3085, %B198.if.i3075 ], [ 0, %B198.if.lr.ph.new.i3073 ]
   %sunkaddr147 = shl i64 %.416441443.i3077, 3
   %sunkaddr148 = getelementptr i8, ptr %arg.state.10.4.4, i64 %sunkaddr147
-  store <8 x double> %.451.i3069, ptr %sunkaddr148, align 8, !noalias !166
+  store <8 x double> %.451.i3069, ptr %sunkaddr148, align 8, !noalias !169
   %sunkaddr150 = getelementptr i8, ptr %arg.state.10.5.4, i64 %sunkaddr147
-  store <8 x double> %.465.i3071, ptr %sunkaddr150, align 8, !noalias !166
+  store <8 x double> %.465.i3071, ptr %sunkaddr150, align 8, !noalias !169
   %sunkaddr153 = getelementptr i8, ptr %sunkaddr148, i64 64
-  store <8 x double> %.451.i3069, ptr %sunkaddr153, align 8, !noalias !166
+  store <8 x double> %.451.i3069, ptr %sunkaddr153, align 8, !noalias !169
   %sunkaddr156 = getelementptr i8, ptr %sunkaddr150, i64 64
-  store <8 x double> %.465.i3071, ptr %sunkaddr156, align 8, !noalias !166
+  store <8 x double> %.465.i3071, ptr %sunkaddr156, align 8, !noalias !169
   %sunkaddr160 = getelementptr i8, ptr %sunkaddr148, i64 128
-  store <8 x double> %.451.i3069, ptr %sunkaddr160, align 8, !noalias !166
+  store <8 x double> %.451.i3069, ptr %sunkaddr160, align 8, !noalias !169
   %sunkaddr163 = getelementptr i8, ptr %sunkaddr150, i64 128
-  store <8 x double> %.465.i3071, ptr %sunkaddr163, align 8, !noalias !166
+  store <8 x double> %.465.i3071, ptr %sunkaddr163, align 8, !noalias !169
   %.423.3.i3085 = add i64 %.416441443.i3077, 32
   %sunkaddr165 = shl i64 %.423.3.i3085, 3
   %sunkaddr166 = getelementptr i8, ptr %arg.state.10.4.4, i64 %sunkaddr165
   %sunkaddr167 = getelementptr i8, ptr %sunkaddr166, i64 -64
-  store <8 x double> %.451.i3069, ptr %sunkaddr167, align 8, !noalias !166
+  store <8 x double> %.451.i3069, ptr %sunkaddr167, align 8, !noalias !169
   %sunkaddr169 = getelementptr i8, ptr %arg.state.10.5.4, i64 %sunkaddr165
   %sunkaddr170 = getelementptr i8, ptr %sunkaddr169, i64 -64
-  store <8 x double> %.465.i3071, ptr %sunkaddr170, align 8, !noalias !166
+  store <8 x double> %.465.i3071, ptr %sunkaddr170, align 8, !noalias !169
   %lsr.iv.next = add i64 %lsr.iv, 4
   %niter.ncmp.3.not.i3092 = icmp eq i64 %lsr.iv.next, 0
   br i1 %niter.ncmp.3.not.i3092, label %B348.loopexit.unr-lcssa.i3093, label %B198.if.i3075
@@ -9713,7 +9713,7 @@ B22.i.i3158:                                      ; preds = %B926.i.i3239, %B22.
   %cell.2.0.i.i3159 = phi i64 [ %cell.3.2.i.i3172, %B926.i.i3239 ], [ %.653.i3108, %B22.preheader.i.i3151 ]
   %start.2.0.i.i3160 = phi i64 [ %.13.i.i.i3175, %B926.i.i3239 ], [ %.13.i1.i3057, %B22.preheader.i.i3151 ]
   %.149.i.i3161 = getelementptr inbounds i64, ptr %.10156, i64 %cell.2.0.i.i3159
-  %.150.i.i3162 = load i64, ptr %.149.i.i3161, align 8, !noalias !174
+  %.150.i.i3162 = load i64, ptr %.149.i.i3161, align 8, !noalias !177
   %.154.not.i.i3163 = icmp sgt i64 %.150.i.i3162, %start.2.0.i.i3160
   br i1 %.154.not.i.i3163, label %B112.i.i3171, label %B62.i.i3164
 
@@ -9722,14 +9722,14 @@ B62.i.i3164:                                      ; preds = %B22.i.i3158, %B62.i
   %.157.i.i3166 = add i64 %cell.4.1.i.i3165, 1
   %79 = shl i64 %cell.4.1.i.i3165, 3
   %scevgep3943 = getelementptr i8, ptr %scevgep3942, i64 %79
-  %.170.i.i3169 = load i64, ptr %scevgep3943, align 8, !noalias !174
+  %.170.i.i3169 = load i64, ptr %scevgep3943, align 8, !noalias !177
   %.172.not.i.i3170 = icmp sgt i64 %.170.i.i3169, %start.2.0.i.i3160
   br i1 %.172.not.i.i3170, label %B112.i.i3171, label %B62.i.i3164
 
 B112.i.i3171:                                     ; preds = %B62.i.i3164, %B22.i.i3158
   %cell.3.2.i.i3172 = phi i64 [ %cell.2.0.i.i3159, %B22.i.i3158 ], [ %.157.i.i3166, %B62.i.i3164 ]
   %.184.i.i3173 = getelementptr inbounds i64, ptr %.10156, i64 %cell.3.2.i.i3172
-  %.185.i.i3174 = load i64, ptr %.184.i.i3173, align 8, !noalias !174
+  %.185.i.i3174 = load i64, ptr %.184.i.i3173, align 8, !noalias !177
   %.13.i.i.i3175 = tail call i64 @llvm.smin.i64(i64 %.13.i3.i3061, i64 %.185.i.i3174)
   %.395.i.i3176 = sub i64 %.13.i.i.i3175, %start.2.0.i.i3160
   %80 = add i64 %.395.i.i3176, 7
@@ -9745,27 +9745,27 @@ B926.i.i3239:                                     ; preds = %B570.if.i.i3222, %B
 
 B570.if.lr.ph.i.i3181:                            ; preds = %B112.i.i3171
   %.228.i.i3182 = getelementptr inbounds double, ptr %.9146, i64 %cell.3.2.i.i3172
-  %.229.i.i3183 = load double, ptr %.228.i.i3182, align 8, !noalias !174
+  %.229.i.i3183 = load double, ptr %.228.i.i3182, align 8, !noalias !177
   %.231.i.i3184 = fsub contract double %.11487, %.229.i.i3183
   %.279.i.i3185 = add nsw i64 %cell.3.2.i.i3172, %.277.i.i3155
   %.347.i.i3186 = getelementptr inbounds double, ptr %.8907, i64 %.279.i.i3185
-  %.348.i.i3187 = load double, ptr %.347.i.i3186, align 8, !noalias !174
+  %.348.i.i3187 = load double, ptr %.347.i.i3186, align 8, !noalias !177
   %.266.i.i3188 = add nsw i64 %cell.3.2.i.i3172, %.10603
   %.334.i.i3189 = getelementptr inbounds double, ptr %.8907, i64 %.266.i.i3188
-  %.335.i.i3190 = load double, ptr %.334.i.i3189, align 8, !noalias !174
+  %.335.i.i3190 = load double, ptr %.334.i.i3189, align 8, !noalias !177
   %.247.i.i3191 = sub i64 %cell.3.2.i.i3172, %.8701.1
   %.315.i.i3192 = getelementptr inbounds double, ptr %.8907, i64 %.247.i.i3191
-  %.316.i.i3193 = load double, ptr %.315.i.i3192, align 8, !noalias !174
+  %.316.i.i3193 = load double, ptr %.315.i.i3192, align 8, !noalias !177
   %.303.i.i3194 = getelementptr inbounds double, ptr %.8907, i64 %cell.3.2.i.i3172
-  %.304.i.i3195 = load double, ptr %.303.i.i3194, align 8, !noalias !174
+  %.304.i.i3195 = load double, ptr %.303.i.i3194, align 8, !noalias !177
   %.287.i.i3196 = getelementptr inbounds double, ptr %.8782, i64 %.279.i.i3185
-  %.288.i.i3197 = load double, ptr %.287.i.i3196, align 8, !noalias !174
+  %.288.i.i3197 = load double, ptr %.287.i.i3196, align 8, !noalias !177
   %.274.i.i3198 = getelementptr inbounds double, ptr %.8782, i64 %.266.i.i3188
-  %.275.i.i3199 = load double, ptr %.274.i.i3198, align 8, !noalias !174
+  %.275.i.i3199 = load double, ptr %.274.i.i3198, align 8, !noalias !177
   %.255.i.i3200 = getelementptr inbounds double, ptr %.8782, i64 %.247.i.i3191
-  %.256.i.i3201 = load double, ptr %.255.i.i3200, align 8, !noalias !174
+  %.256.i.i3201 = load double, ptr %.255.i.i3200, align 8, !noalias !177
   %.243.i.i3202 = getelementptr inbounds double, ptr %.8782, i64 %cell.3.2.i.i3172
-  %.244.i.i3203 = load double, ptr %.243.i.i3202, align 8, !noalias !174
+  %.244.i.i3203 = load double, ptr %.243.i.i3202, align 8, !noalias !177
   %.514.i.i3204 = insertelement <8 x double> poison, double %.288.i.i3197, i64 0
   %.515.i.i3205 = shufflevector <8 x double> %.514.i.i3204, <8 x double> poison, <8 x i32> zeroinitializer
   %.517.i.i3206 = insertelement <8 x double> poison, double %.275.i.i3199, i64 0
@@ -9792,18 +9792,18 @@ B570.if.i.i3222:                                  ; preds = %B570.if.i.i3222, %B
   %lsr.iv62 = phi i64 [ %lsr.iv.next63, %B570.if.i.i3222 ], [ %82, %B570.if.lr.ph.i.i3181 ]
   %lsr.iv8.i.i3224 = phi i64 [ %lsr.iv.next9.i.i3236, %B570.if.i.i3222 ], [ %81, %B570.if.lr.ph.i.i3181 ]
   %scevgep13.i.i3225 = getelementptr i8, ptr %.11397, i64 %lsr.iv8.i.i3224
-  %.485.i.i3226 = load <8 x double>, ptr %scevgep13.i.i3225, align 8, !noalias !174
+  %.485.i.i3226 = load <8 x double>, ptr %scevgep13.i.i3225, align 8, !noalias !177
   %.8.i.i.i3227 = fadd contract <8 x double> %.7.i.i.i3221, %.485.i.i3226
   %.519.i.i3228 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.515.i.i3205, <8 x double> %.518.i.i3207)
   %.523.i.i3229 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.519.i.i3228, <8 x double> %.522.i.i3209)
   %.527.i.i3230 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.523.i.i3229, <8 x double> %.526.i.i3211)
   %scevgep3949 = getelementptr i8, ptr %scevgep3948, i64 %lsr.iv8.i.i3224
-  store <8 x double> %.527.i.i3230, ptr %scevgep3949, align 8, !noalias !174
+  store <8 x double> %.527.i.i3230, ptr %scevgep3949, align 8, !noalias !177
   %.546.i.i3232 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.542.i.i3213, <8 x double> %.545.i.i3215)
   %.550.i.i3233 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.546.i.i3232, <8 x double> %.549.i.i3217)
   %.554.i.i3234 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i3227, <8 x double> %.550.i.i3233, <8 x double> %.553.i.i3219)
   %scevgep3947 = getelementptr i8, ptr %scevgep3946, i64 %lsr.iv8.i.i3224
-  store <8 x double> %.554.i.i3234, ptr %scevgep3947, align 8, !noalias !174
+  store <8 x double> %.554.i.i3234, ptr %scevgep3947, align 8, !noalias !177
   %lsr.iv.next9.i.i3236 = add i64 %lsr.iv8.i.i3224, 64
   %lsr.iv.next63 = add nsw i64 %lsr.iv62, -1
   %.438.i.i3238 = icmp sgt i64 %lsr.iv62, 8
@@ -9811,7 +9811,7 @@ B570.if.i.i3222:                                  ; preds = %B570.if.i.i3222, %B
 
 B348.endif.endif.endif.i3110:                     ; preds = %B926.i.i3239, %B348.i3105
   %cell.5.1.i.i3111 = phi i64 [ %.653.i3108, %B348.i3105 ], [ %cell.3.2.i.i3172, %B926.i.i3239 ]
-  store i64 %cell.5.1.i.i3111, ptr %sunkaddr146, align 8, !noalias !166
+  store i64 %cell.5.1.i.i3111, ptr %sunkaddr146, align 8, !noalias !169
   %.835.i3112 = sub i64 %arg.ends.1, %.13.i3.i3061
   %83 = add i64 %.835.i3112, 7
   %.857.i3113 = lshr i64 %83, 3
@@ -9840,13 +9840,13 @@ B590.if.prol.i3124:                               ; preds = %B590.if.prol.i3124,
   %.891.prol.i3127 = add i64 %.884447449.prol.i3125, 8
   %86 = shl i64 %.884447449.prol.i3125, 3
   %scevgep46.i3128 = getelementptr i8, ptr %arg.state.10.4.4, i64 %86
-  store <8 x double> %.919.i3119, ptr %scevgep46.i3128, align 8, !noalias !166
+  store <8 x double> %.919.i3119, ptr %scevgep46.i3128, align 8, !noalias !169
   %scevgep45.i3129 = getelementptr i8, ptr %arg.state.10.5.4, i64 %86
-  store <8 x double> %.933.i3121, ptr %scevgep45.i3129, align 8, !noalias !166
+  store <8 x double> %.933.i3121, ptr %scevgep45.i3129, align 8, !noalias !169
   %87 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv64, i64 1)
   %math173 = extractvalue { i64, i1 } %87, 0
   %ov174 = extractvalue { i64, i1 } %87, 1
-  br i1 %ov174, label %B590.if.prol.loopexit.loopexit.i3132, label %B590.if.prol.i3124, !llvm.loop !173
+  br i1 %ov174, label %B590.if.prol.loopexit.loopexit.i3132, label %B590.if.prol.i3124, !llvm.loop !176
 
 B590.if.prol.loopexit.loopexit.i3132:             ; preds = %B590.if.prol.i3124
   %88 = and i64 %.857.i3113, 2305843009213693948
@@ -9869,20 +9869,20 @@ B590.if.i3137:                                    ; preds = %B590.if.i3137, %B59
   %lsr.iv30.i3138 = phi i64 [ %lsr.iv.next31.i3149, %B590.if.i3137 ], [ %91, %B590.if.preheader.i3136 ]
   %scevgep41.i3140 = getelementptr i8, ptr %arg.state.10.4.4, i64 %lsr.iv30.i3138
   %scevgep42.i3141 = getelementptr i8, ptr %scevgep41.i3140, i64 -192
-  store <8 x double> %.919.i3119, ptr %scevgep42.i3141, align 8, !noalias !166
+  store <8 x double> %.919.i3119, ptr %scevgep42.i3141, align 8, !noalias !169
   %scevgep34.i3142 = getelementptr i8, ptr %arg.state.10.5.4, i64 %lsr.iv30.i3138
   %scevgep35.i3143 = getelementptr i8, ptr %scevgep34.i3142, i64 -192
-  store <8 x double> %.933.i3121, ptr %scevgep35.i3143, align 8, !noalias !166
+  store <8 x double> %.933.i3121, ptr %scevgep35.i3143, align 8, !noalias !169
   %scevgep75 = getelementptr i8, ptr %scevgep41.i3140, i64 -128
-  store <8 x double> %.919.i3119, ptr %scevgep75, align 8, !noalias !166
+  store <8 x double> %.919.i3119, ptr %scevgep75, align 8, !noalias !169
   %scevgep37.i3145 = getelementptr i8, ptr %scevgep34.i3142, i64 -128
-  store <8 x double> %.933.i3121, ptr %scevgep37.i3145, align 8, !noalias !166
+  store <8 x double> %.933.i3121, ptr %scevgep37.i3145, align 8, !noalias !169
   %scevgep73 = getelementptr i8, ptr %scevgep41.i3140, i64 -64
-  store <8 x double> %.919.i3119, ptr %scevgep73, align 8, !noalias !166
+  store <8 x double> %.919.i3119, ptr %scevgep73, align 8, !noalias !169
   %scevgep71 = getelementptr i8, ptr %scevgep34.i3142, i64 -64
-  store <8 x double> %.933.i3121, ptr %scevgep71, align 8, !noalias !166
-  store <8 x double> %.919.i3119, ptr %scevgep41.i3140, align 8, !noalias !166
-  store <8 x double> %.933.i3121, ptr %scevgep34.i3142, align 8, !noalias !166
+  store <8 x double> %.933.i3121, ptr %scevgep71, align 8, !noalias !169
+  store <8 x double> %.919.i3119, ptr %scevgep41.i3140, align 8, !noalias !169
+  store <8 x double> %.933.i3121, ptr %scevgep34.i3142, align 8, !noalias !169
   %lsr.iv.next31.i3149 = add i64 %lsr.iv30.i3138, 256
   %lsr.iv.next67 = add nsw i64 %lsr.iv66, -4
   %.878.3.i3150 = icmp sgt i64 %lsr.iv66, 28
@@ -9914,7 +9914,7 @@ B76209.endif.endif.endif:                         ; preds = %B590.if.i3137, %B59
   %.961.i = shufflevector <8 x double> %.960.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1026.i = insertelement <8 x double> poison, double %.12136, i64 0
   %.1027.i = shufflevector <8 x double> %.1026.i, <8 x double> poison, <8 x i32> zeroinitializer
-  br i1 %.290534.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, label %B52.lr.ph.i
+  br i1 %.290534.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v378B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit, label %B52.lr.ph.i
 
 B52.lr.ph.i:                                      ; preds = %B76209.endif.endif.endif
   %sunkaddr182 = getelementptr i8, ptr %sunkaddr3972, i64 64
@@ -9951,7 +9951,7 @@ B52.i:                                            ; preds = %B77922.i, %B52.lr.p
   %.2891215539.i = phi i64 [ %math, %B52.lr.ph.i ], [ %.2891215.i, %B77922.i ]
   %.2961252538.i = phi i64 [ 8, %B52.lr.ph.i ], [ %.2961252.i, %B77922.i ]
   %.349.i = getelementptr inbounds double, ptr %.1177, i64 %.280.sroa.0.0540.i
-  %.351.i = load <8 x double>, ptr %.349.i, align 8, !noalias !177
+  %.351.i = load <8 x double>, ptr %.349.i, align 8, !noalias !180
   %.8.i.i3261 = fmul contract <8 x double> %.7.i.i3258, %.351.i
   %.381.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i3261, <8 x double> %.380.i)
   br i1 %101, label %B77630.i, label %B734.if.preheader.i
@@ -9963,19 +9963,19 @@ B77630.loopexit.unr-lcssa.i:                      ; preds = %B734.if.i
   br i1 %105, label %B77630.i, label %B734.if.epil.i.preheader
 
 B734.if.epil.i.preheader:                         ; preds = %B77630.loopexit.unr-lcssa.i, %B734.if.preheader.i
-  %_velocity_v377_w.2.11203.epil.i.ph = phi <8 x double> [ %.381.i, %B734.if.preheader.i ], [ %.6.i547.3.i, %B77630.loopexit.unr-lcssa.i ]
+  %_velocity_v379_w.2.11203.epil.i.ph = phi <8 x double> [ %.381.i, %B734.if.preheader.i ], [ %.6.i547.3.i, %B77630.loopexit.unr-lcssa.i ]
   br label %B734.if.epil.i
 
 B734.if.epil.i:                                   ; preds = %B734.if.epil.i.preheader, %B734.if.epil.i
   %lsr.iv599.i = phi i64 [ %lsr.iv.next600.i, %B734.if.epil.i ], [ %xtraiter.i3259, %B734.if.epil.i.preheader ]
-  %_velocity_v377_w.2.11203.epil.i = phi <8 x double> [ %.6.i547.epil.i, %B734.if.epil.i ], [ %_velocity_v377_w.2.11203.epil.i.ph, %B734.if.epil.i.preheader ]
-  %.6.i547.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v377_w.2.11203.epil.i
+  %_velocity_v379_w.2.11203.epil.i = phi <8 x double> [ %.6.i547.epil.i, %B734.if.epil.i ], [ %_velocity_v379_w.2.11203.epil.i.ph, %B734.if.epil.i.preheader ]
+  %.6.i547.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v379_w.2.11203.epil.i
   %lsr.iv.next600.i = add nsw i64 %lsr.iv599.i, -1
   %epil.iter.cmp.not.i3265 = icmp eq i64 %lsr.iv.next600.i, 0
-  br i1 %epil.iter.cmp.not.i3265, label %B77630.i, label %B734.if.epil.i, !llvm.loop !180
+  br i1 %epil.iter.cmp.not.i3265, label %B77630.i, label %B734.if.epil.i, !llvm.loop !183
 
 B77630.i:                                         ; preds = %B734.if.epil.i, %B77630.loopexit.unr-lcssa.i, %B52.i
-  %_velocity_v377_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B52.i ], [ %.6.i547.3.i, %B77630.loopexit.unr-lcssa.i ], [ %.6.i547.epil.i, %B734.if.epil.i ]
+  %_velocity_v379_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B52.i ], [ %.6.i547.3.i, %B77630.loopexit.unr-lcssa.i ], [ %.6.i547.epil.i, %B734.if.epil.i ]
   br i1 %102, label %B77755.i, label %B77644.if.preheader.i
 
 B77644.if.preheader.i:                            ; preds = %B77630.i
@@ -9985,31 +9985,31 @@ B77755.loopexit.unr-lcssa.i:                      ; preds = %B77644.if.i
   br i1 %107, label %B77755.i, label %B77644.if.epil.i.preheader
 
 B77644.if.epil.i.preheader:                       ; preds = %B77755.loopexit.unr-lcssa.i, %B77644.if.preheader.i
-  %_velocity_v378_w.2.11211.epil.i.ph = phi <8 x double> [ %.381.i, %B77644.if.preheader.i ], [ %.6.i548.3.i, %B77755.loopexit.unr-lcssa.i ]
+  %_velocity_v380_w.2.11211.epil.i.ph = phi <8 x double> [ %.381.i, %B77644.if.preheader.i ], [ %.6.i548.3.i, %B77755.loopexit.unr-lcssa.i ]
   br label %B77644.if.epil.i
 
 B77644.if.epil.i:                                 ; preds = %B77644.if.epil.i.preheader, %B77644.if.epil.i
   %lsr.iv603.i = phi i64 [ %lsr.iv.next604.i, %B77644.if.epil.i ], [ %xtraiter590.i, %B77644.if.epil.i.preheader ]
-  %_velocity_v378_w.2.11211.epil.i = phi <8 x double> [ %.6.i548.epil.i, %B77644.if.epil.i ], [ %_velocity_v378_w.2.11211.epil.i.ph, %B77644.if.epil.i.preheader ]
-  %.6.i548.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v378_w.2.11211.epil.i
+  %_velocity_v380_w.2.11211.epil.i = phi <8 x double> [ %.6.i548.epil.i, %B77644.if.epil.i ], [ %_velocity_v380_w.2.11211.epil.i.ph, %B77644.if.epil.i.preheader ]
+  %.6.i548.epil.i = fmul contract <8 x double> %.381.i, %_velocity_v380_w.2.11211.epil.i
   %lsr.iv.next604.i = add nsw i64 %lsr.iv603.i, -1
   %epil.iter591.cmp.not.i = icmp eq i64 %lsr.iv.next604.i, 0
-  br i1 %epil.iter591.cmp.not.i, label %B77755.i, label %B77644.if.epil.i, !llvm.loop !181
+  br i1 %epil.iter591.cmp.not.i, label %B77755.i, label %B77644.if.epil.i, !llvm.loop !184
 
 B77755.i:                                         ; preds = %B77644.if.epil.i, %B77755.loopexit.unr-lcssa.i, %B77630.i
-  %_velocity_v378_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B77630.i ], [ %.6.i548.3.i, %B77755.loopexit.unr-lcssa.i ], [ %.6.i548.epil.i, %B77644.if.epil.i ]
+  %_velocity_v380_w.2.1.lcssa.i = phi <8 x double> [ %.381.i, %B77630.i ], [ %.6.i548.3.i, %B77755.loopexit.unr-lcssa.i ], [ %.6.i548.epil.i, %B77644.if.epil.i ]
   %.772.i = getelementptr inbounds double, ptr %arg.state.10.2.4, i64 %.280.sroa.0.0540.i
-  %.774.i = load <8 x double>, ptr %.772.i, align 8, !noalias !177
-  %.6.i545.i = fmul contract <8 x double> %_velocity_v377_w.2.1.lcssa.i, %.774.i
+  %.774.i = load <8 x double>, ptr %.772.i, align 8, !noalias !180
+  %.6.i545.i = fmul contract <8 x double> %_velocity_v379_w.2.1.lcssa.i, %.774.i
   %.815.i = getelementptr inbounds double, ptr %arg.state.10.3.4, i64 %.280.sroa.0.0540.i
-  %.817.i3266 = load <8 x double>, ptr %.815.i, align 8, !noalias !177
-  %.6.i549.i = fmul contract <8 x double> %_velocity_v377_w.2.1.lcssa.i, %.817.i3266
+  %.817.i3266 = load <8 x double>, ptr %.815.i, align 8, !noalias !180
+  %.6.i549.i = fmul contract <8 x double> %_velocity_v379_w.2.1.lcssa.i, %.817.i3266
   %.860.i = getelementptr inbounds double, ptr %arg.state.10.4.4, i64 %.280.sroa.0.0540.i
-  %.862.i3267 = load <8 x double>, ptr %.860.i, align 8, !noalias !177
-  %.6.i550.i = fmul contract <8 x double> %_velocity_v378_w.2.1.lcssa.i, %.862.i3267
+  %.862.i3267 = load <8 x double>, ptr %.860.i, align 8, !noalias !180
+  %.6.i550.i = fmul contract <8 x double> %_velocity_v380_w.2.1.lcssa.i, %.862.i3267
   %.902.i = getelementptr inbounds double, ptr %arg.state.10.5.4, i64 %.280.sroa.0.0540.i
-  %.904.i = load <8 x double>, ptr %.902.i, align 8, !noalias !177
-  %.6.i551.i = fmul contract <8 x double> %_velocity_v378_w.2.1.lcssa.i, %.904.i
+  %.904.i = load <8 x double>, ptr %.902.i, align 8, !noalias !180
+  %.6.i551.i = fmul contract <8 x double> %_velocity_v380_w.2.1.lcssa.i, %.904.i
   %.8.i554.i = fmul contract <8 x double> %.7.i553.i, %.6.i545.i
   %.962.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i550.i, <8 x double> %.961.i, <8 x double> %.8.i554.i)
   %.8.i557.i = fmul contract <8 x double> %.7.i553.i, %.6.i549.i
@@ -10019,7 +10019,7 @@ B77755.i:                                         ; preds = %B77644.if.epil.i, %
   %.8.i563.i = fmul contract <8 x double> %.7.i559.i, %.6.i549.i
   %.1059.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i551.i, <8 x double> %.1027.i, <8 x double> %.8.i563.i)
   %.1083.i = getelementptr inbounds double, ptr %arg.state.10.1.4, i64 %.280.sroa.0.0540.i
-  %.1085.i = load <8 x double>, ptr %.1083.i, align 8, !noalias !177
+  %.1085.i = load <8 x double>, ptr %.1083.i, align 8, !noalias !180
   %.8.i566.i = fmul contract <8 x double> %.7.i565.i, %.1085.i
   %.1117.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i566.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
   %.8.i567.i = fadd contract <8 x double> %.1117.i, splat (double 0xC338000000000000)
@@ -10060,58 +10060,58 @@ B77755.i:                                         ; preds = %B77644.if.epil.i, %
   %.6.i582.i = xor <8 x i64> %111, %.6.i573.i
   %112 = bitcast <8 x i64> %.6.i582.i to <8 x double>
   %.1614.i = getelementptr inbounds double, ptr %arg.state.10.0.4, i64 %.280.sroa.0.0540.i
-  %.1616.i = load <8 x double>, ptr %.1614.i, align 8, !noalias !177
+  %.1616.i = load <8 x double>, ptr %.1614.i, align 8, !noalias !180
   %.6.i583.i = fmul contract <8 x double> %.1616.i, %112
   %.6.i584.i = fmul contract <8 x double> %.1616.i, %110
   br i1 %103, label %B77922.i, label %B77769.i
 
 B77769.i:                                         ; preds = %B77755.i
   %.1816.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.280.sroa.0.0540.i
-  %.1818.i = load <8 x double>, ptr %.1816.i, align 8, !noalias !177
+  %.1818.i = load <8 x double>, ptr %.1816.i, align 8, !noalias !180
   %.1834.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.280.sroa.0.0540.i
-  %.1836.i = load <8 x double>, ptr %.1834.i, align 8, !noalias !177
+  %.1836.i = load <8 x double>, ptr %.1834.i, align 8, !noalias !180
   %.1852.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.280.sroa.0.0540.i
-  %.1854.i = load <8 x double>, ptr %.1852.i, align 8, !noalias !177
+  %.1854.i = load <8 x double>, ptr %.1852.i, align 8, !noalias !180
   %.1870.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.280.sroa.0.0540.i
-  %.1872.i = load <8 x double>, ptr %.1870.i, align 8, !noalias !177
+  %.1872.i = load <8 x double>, ptr %.1870.i, align 8, !noalias !180
   br label %B77922.i
 
 B77922.i:                                         ; preds = %B77769.i, %B77755.i
-  %_add_v381_first.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1818.i, %B77769.i ]
-  %_add_v381_second.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1836.i, %B77769.i ]
-  %_add_v381_third.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1854.i, %B77769.i ]
-  %_add_v381_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1872.i, %B77769.i ]
+  %_add_v383_first.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1818.i, %B77769.i ]
+  %_add_v383_second.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1836.i, %B77769.i ]
+  %_add_v383_third.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1854.i, %B77769.i ]
+  %_add_v383_fourth.2.1.i = phi <8 x double> [ zeroinitializer, %B77755.i ], [ %.1872.i, %B77769.i ]
   %.6.i546.i = fsub contract <8 x double> zeroinitializer, %.993.i
-  %.1946.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i546.i, <8 x double> %_add_v381_first.2.1.i)
+  %.1946.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i546.i, <8 x double> %_add_v383_first.2.1.i)
   %.1950.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.962.i, <8 x double> %.1946.i)
   %.1958.i = getelementptr inbounds double, ptr %arg.state.11.0.4, i64 %.280.sroa.0.0540.i
-  store <8 x double> %.1950.i, ptr %.1958.i, align 8, !noalias !177
-  %.1979.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.962.i, <8 x double> %_add_v381_second.2.1.i)
+  store <8 x double> %.1950.i, ptr %.1958.i, align 8, !noalias !180
+  %.1979.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.962.i, <8 x double> %_add_v383_second.2.1.i)
   %.1983.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.993.i, <8 x double> %.1979.i)
   %.1991.i = getelementptr inbounds double, ptr %arg.state.11.1.4, i64 %.280.sroa.0.0540.i
-  store <8 x double> %.1983.i, ptr %.1991.i, align 8, !noalias !177
+  store <8 x double> %.1983.i, ptr %.1991.i, align 8, !noalias !180
   %.6.i585.i = fsub contract <8 x double> zeroinitializer, %.1059.i
   %.6.i586.i = fsub contract <8 x double> zeroinitializer, %.1028.i3268
-  %.2060.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i586.i, <8 x double> %_add_v381_third.2.1.i)
+  %.2060.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i586.i, <8 x double> %_add_v383_third.2.1.i)
   %.2064.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.6.i585.i, <8 x double> %.2060.i)
   %.2072.i = getelementptr inbounds double, ptr %arg.state.11.2.4, i64 %.280.sroa.0.0540.i
-  store <8 x double> %.2064.i, ptr %.2072.i, align 8, !noalias !177
-  %.2137.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i585.i, <8 x double> %_add_v381_fourth.2.1.i)
+  store <8 x double> %.2064.i, ptr %.2072.i, align 8, !noalias !180
+  %.2137.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i584.i, <8 x double> %.6.i585.i, <8 x double> %_add_v383_fourth.2.1.i)
   %.2143.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i583.i, <8 x double> %.1028.i3268, <8 x double> %.2137.i)
   %.2153.i = getelementptr inbounds double, ptr %arg.state.11.3.4, i64 %.280.sroa.0.0540.i
-  store <8 x double> %.2143.i, ptr %.2153.i, align 8, !noalias !177
+  store <8 x double> %.2143.i, ptr %.2153.i, align 8, !noalias !180
   %.290.i = icmp sgt i64 %.2891215539.i, 0
   %.303.i = add i64 %.2961252538.i, 8
   %.2961252.i = select i1 %.290.i, i64 %.303.i, i64 %.2961252538.i
   %.299.i = sext i1 %.290.i to i64
   %.2891215.i = add nsw i64 %.2891215539.i, %.299.i
   %.280.sroa.0.0.i = select i1 %.290.i, i64 %.2961252538.i, i64 0
-  br i1 %.290.i, label %B52.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
+  br i1 %.290.i, label %B52.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v378B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit
 
 B734.if.i:                                        ; preds = %B734.if.preheader.i, %B734.if.i
   %lsr.iv76 = phi i64 [ %lsr.iv.next77, %B734.if.i ], [ %98, %B734.if.preheader.i ]
-  %_velocity_v377_w.2.11203.i = phi <8 x double> [ %.6.i547.3.i, %B734.if.i ], [ %.381.i, %B734.if.preheader.i ]
-  %.6.i547.i = fmul contract <8 x double> %.381.i, %_velocity_v377_w.2.11203.i
+  %_velocity_v379_w.2.11203.i = phi <8 x double> [ %.6.i547.3.i, %B734.if.i ], [ %.381.i, %B734.if.preheader.i ]
+  %.6.i547.i = fmul contract <8 x double> %.381.i, %_velocity_v379_w.2.11203.i
   %.6.i547.1.i = fmul contract <8 x double> %.381.i, %.6.i547.i
   %.6.i547.2.i = fmul contract <8 x double> %.381.i, %.6.i547.1.i
   %.6.i547.3.i = fmul contract <8 x double> %.381.i, %.6.i547.2.i
@@ -10121,8 +10121,8 @@ B734.if.i:                                        ; preds = %B734.if.preheader.i
 
 B77644.if.i:                                      ; preds = %B77644.if.preheader.i, %B77644.if.i
   %lsr.iv78 = phi i64 [ %lsr.iv.next79, %B77644.if.i ], [ %100, %B77644.if.preheader.i ]
-  %_velocity_v378_w.2.11211.i = phi <8 x double> [ %.6.i548.3.i, %B77644.if.i ], [ %.381.i, %B77644.if.preheader.i ]
-  %.6.i548.i = fmul contract <8 x double> %.381.i, %_velocity_v378_w.2.11211.i
+  %_velocity_v380_w.2.11211.i = phi <8 x double> [ %.6.i548.3.i, %B77644.if.i ], [ %.381.i, %B77644.if.preheader.i ]
+  %.6.i548.i = fmul contract <8 x double> %.381.i, %_velocity_v380_w.2.11211.i
   %.6.i548.1.i = fmul contract <8 x double> %.381.i, %.6.i548.i
   %.6.i548.2.i = fmul contract <8 x double> %.381.i, %.6.i548.1.i
   %.6.i548.3.i = fmul contract <8 x double> %.381.i, %.6.i548.2.i
@@ -10130,7 +10130,7 @@ B77644.if.i:                                      ; preds = %B77644.if.preheader
   %niter596.ncmp.3.i = icmp eq i64 %lsr.iv.next79, 0
   br i1 %niter596.ncmp.3.i, label %B77755.loopexit.unr-lcssa.i, label %B77644.if.i
 
-_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit: ; preds = %B77922.i, %B76209.endif.endif.endif
+_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v378B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE.exit: ; preds = %B77922.i, %B76209.endif.endif.endif
   %.12153 = add nsw i64 %k.7.3, 2
   %.12285 = load i64, ptr %.526, align 8
   %.12286 = icmp slt i64 %.12153, %.12285
@@ -10259,11 +10259,11 @@ B316204:                                          ; preds = %B157811
   %.6623 = getelementptr double, ptr %.6091, i64 %.6607
   %.6712 = getelementptr i8, ptr %carrier.1.sroa.121.1, i64 8
   %.6713 = load double, ptr %.6712, align 8
-  %.173.i = load i64, ptr %.4216, align 8, !noalias !182
+  %.173.i = load i64, ptr %.4216, align 8, !noalias !185
   %.13.i.i = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.173.i)
   %.13.i1.i = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i.i)
   %.262.i = getelementptr i8, ptr %.4216, i64 8
-  %.263.i = load i64, ptr %.262.i, align 8, !noalias !182
+  %.263.i = load i64, ptr %.262.i, align 8, !noalias !185
   %.13.i2.i = tail call i64 @llvm.smax.i64(i64 %arg.ends.0, i64 %.263.i)
   %.13.i3.i = tail call i64 @llvm.smin.i64(i64 %arg.ends.1, i64 %.13.i2.i)
   %.330.i687 = sub nsw i64 %.13.i1.i, %arg.ends.0
@@ -10274,7 +10274,7 @@ B316204:                                          ; preds = %B157811
   %.410442.not.i = or i1 %.368.inv.i, %.410442.not453.i
   br i1 %.410442.not.i, label %B348.i, label %B198.if.lr.ph.i
 
-B316611:                                          ; preds = %B157813, %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
+B316611:                                          ; preds = %B157813, %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v453B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
   %exitcond.not = icmp eq i64 %.1452, %.1359
   br i1 %exitcond.not, label %B316613, label %B630.if
 
@@ -10323,7 +10323,7 @@ B48.if.i:                                         ; preds = %B48.if.i, %B48.if.p
   %lsr.iv2 = phi i64 [ %lsr.iv.next3, %B48.if.i ], [ %11, %B48.if.preheader.i ]
   %lsr.iv209.i = phi i64 [ %lsr.iv.next210.i, %B48.if.i ], [ 0, %B48.if.preheader.i ]
   %scevgep211.i = getelementptr i8, ptr %arg.state.10.1.4, i64 %lsr.iv209.i
-  %.165.i = load <8 x double>, ptr %scevgep211.i, align 8, !noalias !185
+  %.165.i = load <8 x double>, ptr %scevgep211.i, align 8, !noalias !188
   %.8.i.i = fmul contract <8 x double> %.7.i.i, %.165.i
   %.195.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
   %.8.i191.i = fadd contract <8 x double> %.195.i, splat (double 0xC338000000000000)
@@ -10364,11 +10364,11 @@ B48.if.i:                                         ; preds = %B48.if.i, %B48.if.p
   %.6.i206.i = xor <8 x i64> %16, %.6.i197.i
   %17 = bitcast <8 x i64> %.6.i206.i to <8 x double>
   %scevgep.i = getelementptr i8, ptr %arg.state.10.0.4, i64 %lsr.iv209.i
-  %.695.i = load <8 x double>, ptr %scevgep.i, align 8, !noalias !185
+  %.695.i = load <8 x double>, ptr %scevgep.i, align 8, !noalias !188
   %.6.i207.i = fmul contract <8 x double> %.695.i, %17
-  store <8 x double> %.6.i207.i, ptr %scevgep.i, align 8, !noalias !185
+  store <8 x double> %.6.i207.i, ptr %scevgep.i, align 8, !noalias !188
   %.6.i208.i = fmul contract <8 x double> %.695.i, %15
-  store <8 x double> %.6.i208.i, ptr %scevgep211.i, align 8, !noalias !185
+  store <8 x double> %.6.i208.i, ptr %scevgep211.i, align 8, !noalias !188
   %lsr.iv.next210.i = add i64 %lsr.iv209.i, 64
   %lsr.iv.next3 = add nsw i64 %lsr.iv2, -1
   %.117.i = icmp sgt i64 %lsr.iv2, 7
@@ -10389,17 +10389,17 @@ B198.if.epil.preheader.i:                         ; preds = %B198.if.lr.ph.i, %B
 B198.if.epil.i:                                   ; preds = %B198.if.epil.i, %B198.if.epil.preheader.i
   %lsr.iv52.i = phi i64 [ %lsr.iv.next53.i, %B198.if.epil.i ], [ 0, %B198.if.epil.preheader.i ]
   %scevgep56.i = getelementptr i8, ptr %scevgep55.i, i64 %lsr.iv52.i
-  store <8 x double> %.451.i, ptr %scevgep56.i, align 8, !noalias !182
+  store <8 x double> %.451.i, ptr %scevgep56.i, align 8, !noalias !185
   %scevgep54.i = getelementptr i8, ptr %scevgep51.i, i64 %lsr.iv52.i
-  store <8 x double> %.465.i, ptr %scevgep54.i, align 8, !noalias !182
+  store <8 x double> %.465.i, ptr %scevgep54.i, align 8, !noalias !185
   %lsr.iv.next53.i = add nuw nsw i64 %lsr.iv52.i, 64
   %epil.iter.cmp.not.i = icmp eq i64 %19, %lsr.iv.next53.i
-  br i1 %epil.iter.cmp.not.i, label %B348.i, label %B198.if.epil.i, !llvm.loop !188
+  br i1 %epil.iter.cmp.not.i, label %B348.i, label %B198.if.epil.i, !llvm.loop !191
 
 B348.i:                                           ; preds = %B198.if.epil.i, %B348.loopexit.unr-lcssa.i, %B316204
   %.487.i = sub nsw i64 %.13.i3.i, %arg.ends.0
   %sunkaddr66 = getelementptr i8, ptr %.4216, i64 16
-  %.653.i = load i64, ptr %sunkaddr66, align 8, !noalias !182
+  %.653.i = load i64, ptr %sunkaddr66, align 8, !noalias !185
   %.126.i.i = icmp slt i64 %.13.i.i, %.13.i3.i
   br i1 %.126.i.i, label %B22.preheader.i.i, label %B348.endif.endif.endif.i
 
@@ -10429,25 +10429,25 @@ B198.if.i:                                        ; preds = %B198.if.i, %B198.if
   %.416441443.i = phi i64 [ %.423.3.i, %B198.if.i ], [ 0, %B198.if.lr.ph.new.i ]
   %sunkaddr67 = shl i64 %.416441443.i, 3
   %sunkaddr68 = getelementptr i8, ptr %arg.state.10.2.4, i64 %sunkaddr67
-  store <8 x double> %.451.i, ptr %sunkaddr68, align 8, !noalias !182
+  store <8 x double> %.451.i, ptr %sunkaddr68, align 8, !noalias !185
   %sunkaddr70 = getelementptr i8, ptr %arg.state.10.3.4, i64 %sunkaddr67
-  store <8 x double> %.465.i, ptr %sunkaddr70, align 8, !noalias !182
+  store <8 x double> %.465.i, ptr %sunkaddr70, align 8, !noalias !185
   %sunkaddr73 = getelementptr i8, ptr %sunkaddr68, i64 64
-  store <8 x double> %.451.i, ptr %sunkaddr73, align 8, !noalias !182
+  store <8 x double> %.451.i, ptr %sunkaddr73, align 8, !noalias !185
   %sunkaddr76 = getelementptr i8, ptr %sunkaddr70, i64 64
-  store <8 x double> %.465.i, ptr %sunkaddr76, align 8, !noalias !182
+  store <8 x double> %.465.i, ptr %sunkaddr76, align 8, !noalias !185
   %sunkaddr79 = getelementptr i8, ptr %sunkaddr68, i64 128
-  store <8 x double> %.451.i, ptr %sunkaddr79, align 8, !noalias !182
+  store <8 x double> %.451.i, ptr %sunkaddr79, align 8, !noalias !185
   %sunkaddr82 = getelementptr i8, ptr %sunkaddr70, i64 128
-  store <8 x double> %.465.i, ptr %sunkaddr82, align 8, !noalias !182
+  store <8 x double> %.465.i, ptr %sunkaddr82, align 8, !noalias !185
   %.423.3.i = add i64 %.416441443.i, 32
   %sunkaddr84 = shl i64 %.423.3.i, 3
   %sunkaddr85 = getelementptr i8, ptr %arg.state.10.2.4, i64 %sunkaddr84
   %sunkaddr86 = getelementptr i8, ptr %sunkaddr85, i64 -64
-  store <8 x double> %.451.i, ptr %sunkaddr86, align 8, !noalias !182
+  store <8 x double> %.451.i, ptr %sunkaddr86, align 8, !noalias !185
   %sunkaddr88 = getelementptr i8, ptr %arg.state.10.3.4, i64 %sunkaddr84
   %sunkaddr89 = getelementptr i8, ptr %sunkaddr88, i64 -64
-  store <8 x double> %.465.i, ptr %sunkaddr89, align 8, !noalias !182
+  store <8 x double> %.465.i, ptr %sunkaddr89, align 8, !noalias !185
   %lsr.iv.next5 = add i64 %lsr.iv4, 4
   %niter.ncmp.3.not.i = icmp eq i64 %lsr.iv.next5, 0
   br i1 %niter.ncmp.3.not.i, label %B348.loopexit.unr-lcssa.i, label %B198.if.i
@@ -10463,7 +10463,7 @@ B22.i.i:                                          ; preds = %B926.i.i, %B22.preh
   %cell.2.0.i.i = phi i64 [ %cell.3.2.i.i, %B926.i.i ], [ %.653.i, %B22.preheader.i.i ]
   %start.2.0.i.i = phi i64 [ %.13.i.i.i, %B926.i.i ], [ %.13.i1.i, %B22.preheader.i.i ]
   %.149.i.i = getelementptr inbounds i64, ptr %.5387, i64 %cell.2.0.i.i
-  %.150.i.i = load i64, ptr %.149.i.i, align 8, !noalias !189
+  %.150.i.i = load i64, ptr %.149.i.i, align 8, !noalias !192
   %.154.not.i.i = icmp sgt i64 %.150.i.i, %start.2.0.i.i
   br i1 %.154.not.i.i, label %B112.i.i, label %B62.i.i
 
@@ -10472,14 +10472,14 @@ B62.i.i:                                          ; preds = %B22.i.i, %B62.i.i
   %.157.i.i = add i64 %cell.4.1.i.i, 1
   %27 = shl i64 %cell.4.1.i.i, 3
   %scevgep1024 = getelementptr i8, ptr %scevgep1023, i64 %27
-  %.170.i.i = load i64, ptr %scevgep1024, align 8, !noalias !189
+  %.170.i.i = load i64, ptr %scevgep1024, align 8, !noalias !192
   %.172.not.i.i = icmp sgt i64 %.170.i.i, %start.2.0.i.i
   br i1 %.172.not.i.i, label %B112.i.i, label %B62.i.i
 
 B112.i.i:                                         ; preds = %B62.i.i, %B22.i.i
   %cell.3.2.i.i = phi i64 [ %cell.2.0.i.i, %B22.i.i ], [ %.157.i.i, %B62.i.i ]
   %.184.i.i = getelementptr inbounds i64, ptr %.5387, i64 %cell.3.2.i.i
-  %.185.i.i = load i64, ptr %.184.i.i, align 8, !noalias !189
+  %.185.i.i = load i64, ptr %.184.i.i, align 8, !noalias !192
   %.13.i.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i3.i, i64 %.185.i.i)
   %.395.i.i = sub i64 %.13.i.i.i, %start.2.0.i.i
   %28 = add i64 %.395.i.i, 7
@@ -10495,27 +10495,27 @@ B926.i.i:                                         ; preds = %B570.if.i.i, %B112.
 
 B570.if.lr.ph.i.i:                                ; preds = %B112.i.i
   %.228.i.i = getelementptr inbounds double, ptr %.4377, i64 %cell.3.2.i.i
-  %.229.i.i = load double, ptr %.228.i.i, align 8, !noalias !189
+  %.229.i.i = load double, ptr %.228.i.i, align 8, !noalias !192
   %.231.i.i = fsub contract double %.6713, %.229.i.i
   %.279.i.i = add nsw i64 %cell.3.2.i.i, %.277.i.i
   %.347.i.i = getelementptr inbounds double, ptr %.4138, i64 %.279.i.i
-  %.348.i.i = load double, ptr %.347.i.i, align 8, !noalias !189
+  %.348.i.i = load double, ptr %.347.i.i, align 8, !noalias !192
   %.266.i.i = add nsw i64 %cell.3.2.i.i, %.5834
   %.334.i.i = getelementptr inbounds double, ptr %.4138, i64 %.266.i.i
-  %.335.i.i = load double, ptr %.334.i.i, align 8, !noalias !189
+  %.335.i.i = load double, ptr %.334.i.i, align 8, !noalias !192
   %.247.i.i = sub i64 %cell.3.2.i.i, %.3932.1
   %.315.i.i = getelementptr inbounds double, ptr %.4138, i64 %.247.i.i
-  %.316.i.i = load double, ptr %.315.i.i, align 8, !noalias !189
+  %.316.i.i = load double, ptr %.315.i.i, align 8, !noalias !192
   %.303.i.i = getelementptr inbounds double, ptr %.4138, i64 %cell.3.2.i.i
-  %.304.i.i = load double, ptr %.303.i.i, align 8, !noalias !189
+  %.304.i.i = load double, ptr %.303.i.i, align 8, !noalias !192
   %.287.i.i = getelementptr inbounds double, ptr %.4013, i64 %.279.i.i
-  %.288.i.i = load double, ptr %.287.i.i, align 8, !noalias !189
+  %.288.i.i = load double, ptr %.287.i.i, align 8, !noalias !192
   %.274.i.i = getelementptr inbounds double, ptr %.4013, i64 %.266.i.i
-  %.275.i.i = load double, ptr %.274.i.i, align 8, !noalias !189
+  %.275.i.i = load double, ptr %.274.i.i, align 8, !noalias !192
   %.255.i.i = getelementptr inbounds double, ptr %.4013, i64 %.247.i.i
-  %.256.i.i = load double, ptr %.255.i.i, align 8, !noalias !189
+  %.256.i.i = load double, ptr %.255.i.i, align 8, !noalias !192
   %.243.i.i = getelementptr inbounds double, ptr %.4013, i64 %cell.3.2.i.i
-  %.244.i.i = load double, ptr %.243.i.i, align 8, !noalias !189
+  %.244.i.i = load double, ptr %.243.i.i, align 8, !noalias !192
   %.514.i.i = insertelement <8 x double> poison, double %.288.i.i, i64 0
   %.515.i.i = shufflevector <8 x double> %.514.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.517.i.i = insertelement <8 x double> poison, double %.275.i.i, i64 0
@@ -10542,18 +10542,18 @@ B570.if.i.i:                                      ; preds = %B570.if.i.i, %B570.
   %lsr.iv21 = phi i64 [ %lsr.iv.next22, %B570.if.i.i ], [ %30, %B570.if.lr.ph.i.i ]
   %lsr.iv8.i.i = phi i64 [ %lsr.iv.next9.i.i, %B570.if.i.i ], [ %29, %B570.if.lr.ph.i.i ]
   %scevgep13.i.i = getelementptr i8, ptr %.6623, i64 %lsr.iv8.i.i
-  %.485.i.i = load <8 x double>, ptr %scevgep13.i.i, align 8, !noalias !189
+  %.485.i.i = load <8 x double>, ptr %scevgep13.i.i, align 8, !noalias !192
   %.8.i.i.i = fadd contract <8 x double> %.7.i.i.i, %.485.i.i
   %.519.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.515.i.i, <8 x double> %.518.i.i)
   %.523.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.519.i.i, <8 x double> %.522.i.i)
   %.527.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.523.i.i, <8 x double> %.526.i.i)
   %scevgep1030 = getelementptr i8, ptr %scevgep1029, i64 %lsr.iv8.i.i
-  store <8 x double> %.527.i.i, ptr %scevgep1030, align 8, !noalias !189
+  store <8 x double> %.527.i.i, ptr %scevgep1030, align 8, !noalias !192
   %.546.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.542.i.i, <8 x double> %.545.i.i)
   %.550.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.546.i.i, <8 x double> %.549.i.i)
   %.554.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> %.550.i.i, <8 x double> %.553.i.i)
   %scevgep1028 = getelementptr i8, ptr %scevgep1027, i64 %lsr.iv8.i.i
-  store <8 x double> %.554.i.i, ptr %scevgep1028, align 8, !noalias !189
+  store <8 x double> %.554.i.i, ptr %scevgep1028, align 8, !noalias !192
   %lsr.iv.next9.i.i = add i64 %lsr.iv8.i.i, 64
   %lsr.iv.next22 = add nsw i64 %lsr.iv21, -1
   %.438.i.i = icmp sgt i64 %lsr.iv21, 8
@@ -10561,7 +10561,7 @@ B570.if.i.i:                                      ; preds = %B570.if.i.i, %B570.
 
 B348.endif.endif.endif.i:                         ; preds = %B926.i.i, %B348.i
   %cell.5.1.i.i = phi i64 [ %.653.i, %B348.i ], [ %cell.3.2.i.i, %B926.i.i ]
-  store i64 %cell.5.1.i.i, ptr %sunkaddr66, align 8, !noalias !182
+  store i64 %cell.5.1.i.i, ptr %sunkaddr66, align 8, !noalias !185
   %.835.i = sub i64 %arg.ends.1, %.13.i3.i
   %31 = add i64 %.835.i, 7
   %.857.i = lshr i64 %31, 3
@@ -10590,13 +10590,13 @@ B590.if.prol.i:                                   ; preds = %B590.if.prol.i, %B5
   %.891.prol.i = add i64 %.884447449.prol.i, 8
   %34 = shl i64 %.884447449.prol.i, 3
   %scevgep46.i = getelementptr i8, ptr %arg.state.10.2.4, i64 %34
-  store <8 x double> %.919.i, ptr %scevgep46.i, align 8, !noalias !182
+  store <8 x double> %.919.i, ptr %scevgep46.i, align 8, !noalias !185
   %scevgep45.i = getelementptr i8, ptr %arg.state.10.3.4, i64 %34
-  store <8 x double> %.933.i, ptr %scevgep45.i, align 8, !noalias !182
+  store <8 x double> %.933.i, ptr %scevgep45.i, align 8, !noalias !185
   %35 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv23, i64 1)
   %math = extractvalue { i64, i1 } %35, 0
   %ov92 = extractvalue { i64, i1 } %35, 1
-  br i1 %ov92, label %B590.if.prol.loopexit.loopexit.i, label %B590.if.prol.i, !llvm.loop !192
+  br i1 %ov92, label %B590.if.prol.loopexit.loopexit.i, label %B590.if.prol.i, !llvm.loop !195
 
 B590.if.prol.loopexit.loopexit.i:                 ; preds = %B590.if.prol.i
   %36 = and i64 %.857.i, 2305843009213693948
@@ -10619,27 +10619,27 @@ B590.if.i:                                        ; preds = %B590.if.i, %B590.if
   %lsr.iv30.i = phi i64 [ %lsr.iv.next31.i, %B590.if.i ], [ %39, %B590.if.preheader.i ]
   %scevgep41.i = getelementptr i8, ptr %arg.state.10.2.4, i64 %lsr.iv30.i
   %scevgep42.i = getelementptr i8, ptr %scevgep41.i, i64 -192
-  store <8 x double> %.919.i, ptr %scevgep42.i, align 8, !noalias !182
+  store <8 x double> %.919.i, ptr %scevgep42.i, align 8, !noalias !185
   %scevgep34.i = getelementptr i8, ptr %arg.state.10.3.4, i64 %lsr.iv30.i
   %scevgep35.i = getelementptr i8, ptr %scevgep34.i, i64 -192
-  store <8 x double> %.933.i, ptr %scevgep35.i, align 8, !noalias !182
+  store <8 x double> %.933.i, ptr %scevgep35.i, align 8, !noalias !185
   %scevgep33 = getelementptr i8, ptr %scevgep41.i, i64 -128
-  store <8 x double> %.919.i, ptr %scevgep33, align 8, !noalias !182
+  store <8 x double> %.919.i, ptr %scevgep33, align 8, !noalias !185
   %scevgep37.i = getelementptr i8, ptr %scevgep34.i, i64 -128
-  store <8 x double> %.933.i, ptr %scevgep37.i, align 8, !noalias !182
+  store <8 x double> %.933.i, ptr %scevgep37.i, align 8, !noalias !185
   %scevgep31 = getelementptr i8, ptr %scevgep41.i, i64 -64
-  store <8 x double> %.919.i, ptr %scevgep31, align 8, !noalias !182
+  store <8 x double> %.919.i, ptr %scevgep31, align 8, !noalias !185
   %scevgep28 = getelementptr i8, ptr %scevgep34.i, i64 -64
-  store <8 x double> %.933.i, ptr %scevgep28, align 8, !noalias !182
-  store <8 x double> %.919.i, ptr %scevgep41.i, align 8, !noalias !182
-  store <8 x double> %.933.i, ptr %scevgep34.i, align 8, !noalias !182
+  store <8 x double> %.933.i, ptr %scevgep28, align 8, !noalias !185
+  store <8 x double> %.919.i, ptr %scevgep41.i, align 8, !noalias !185
+  store <8 x double> %.933.i, ptr %scevgep34.i, align 8, !noalias !185
   %lsr.iv.next31.i = add i64 %lsr.iv30.i, 256
   %lsr.iv.next = add nsw i64 %lsr.iv, -4
   %.878.3.i = icmp sgt i64 %lsr.iv, 28
   br i1 %.878.3.i, label %B590.if.i, label %B316533.endif.endif.endif
 
 B316533.endif.endif.endif:                        ; preds = %B590.if.i, %B590.if.prol.loopexit.i, %B348.endif.endif.endif.i
-  br i1 %.163279.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit, label %B48.if.lr.ph.i
+  br i1 %.163279.not.i, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v453B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit, label %B48.if.lr.ph.i
 
 B48.if.lr.ph.i:                                   ; preds = %B316533.endif.endif.endif
   %.6889 = load i64, ptr %.500, align 8
@@ -10670,38 +10670,38 @@ B316739.loopexit.unr-lcssa.i:                     ; preds = %B488.if.i
   br i1 %45, label %B316739.i, label %B488.if.epil.i.preheader
 
 B488.if.epil.i.preheader:                         ; preds = %B488.if.preheader.i, %B316739.loopexit.unr-lcssa.i
-  %_velocity_v452_w.2.1248.epil.i.ph = phi <8 x double> [ %.6.i25.3.i, %B316739.loopexit.unr-lcssa.i ], [ %.254.i, %B488.if.preheader.i ]
+  %_velocity_v454_w.2.1248.epil.i.ph = phi <8 x double> [ %.6.i25.3.i, %B316739.loopexit.unr-lcssa.i ], [ %.254.i, %B488.if.preheader.i ]
   br label %B488.if.epil.i
 
 B488.if.epil.i:                                   ; preds = %B488.if.epil.i.preheader, %B488.if.epil.i
   %lsr.iv33.i = phi i64 [ %lsr.iv.next34.i, %B488.if.epil.i ], [ %xtraiter.i697, %B488.if.epil.i.preheader ]
-  %_velocity_v452_w.2.1248.epil.i = phi <8 x double> [ %.6.i25.epil.i, %B488.if.epil.i ], [ %_velocity_v452_w.2.1248.epil.i.ph, %B488.if.epil.i.preheader ]
-  %.6.i25.epil.i = fmul contract <8 x double> %.254.i, %_velocity_v452_w.2.1248.epil.i
+  %_velocity_v454_w.2.1248.epil.i = phi <8 x double> [ %.6.i25.epil.i, %B488.if.epil.i ], [ %_velocity_v454_w.2.1248.epil.i.ph, %B488.if.epil.i.preheader ]
+  %.6.i25.epil.i = fmul contract <8 x double> %.254.i, %_velocity_v454_w.2.1248.epil.i
   %lsr.iv.next34.i = add nsw i64 %lsr.iv33.i, -1
   %epil.iter.cmp.not.i703 = icmp eq i64 %lsr.iv.next34.i, 0
-  br i1 %epil.iter.cmp.not.i703, label %B316739.i, label %B488.if.epil.i, !llvm.loop !193
+  br i1 %epil.iter.cmp.not.i703, label %B316739.i, label %B488.if.epil.i, !llvm.loop !196
 
 B316739.i:                                        ; preds = %B488.if.epil.i, %B48.if.i699, %B316739.loopexit.unr-lcssa.i
-  %_velocity_v452_w.2.1.lcssa.i = phi <8 x double> [ %.254.i, %B48.if.i699 ], [ %.6.i25.3.i, %B316739.loopexit.unr-lcssa.i ], [ %.6.i25.epil.i, %B488.if.epil.i ]
+  %_velocity_v454_w.2.1.lcssa.i = phi <8 x double> [ %.254.i, %B48.if.i699 ], [ %.6.i25.3.i, %B316739.loopexit.unr-lcssa.i ], [ %.6.i25.epil.i, %B488.if.epil.i ]
   %.425.i = getelementptr inbounds double, ptr %arg.state.10.0.4, i64 %.169258282.i
-  %.427.i = load <8 x double>, ptr %.425.i, align 8, !noalias !194
-  %.6.i.i704 = fmul contract <8 x double> %_velocity_v452_w.2.1.lcssa.i, %.427.i
+  %.427.i = load <8 x double>, ptr %.425.i, align 8, !noalias !197
+  %.6.i.i704 = fmul contract <8 x double> %_velocity_v454_w.2.1.lcssa.i, %.427.i
   %.460.i = getelementptr inbounds double, ptr %arg.state.10.1.4, i64 %.169258282.i
-  %.462.i = load <8 x double>, ptr %.460.i, align 8, !noalias !194
-  %.6.i26.i = fmul contract <8 x double> %_velocity_v452_w.2.1.lcssa.i, %.462.i
+  %.462.i = load <8 x double>, ptr %.460.i, align 8, !noalias !197
+  %.6.i26.i = fmul contract <8 x double> %_velocity_v454_w.2.1.lcssa.i, %.462.i
   %.499.i = getelementptr inbounds double, ptr %arg.state.10.2.4, i64 %.169258282.i
-  %.501.i = load <8 x double>, ptr %.499.i, align 8, !noalias !194
+  %.501.i = load <8 x double>, ptr %.499.i, align 8, !noalias !197
   %.517.i = getelementptr inbounds double, ptr %arg.state.10.3.4, i64 %.169258282.i
-  %.519.i = load <8 x double>, ptr %.517.i, align 8, !noalias !194
+  %.519.i = load <8 x double>, ptr %.517.i, align 8, !noalias !197
   %.6.i27.i = fmul contract <8 x double> %.6.i26.i, %.519.i
   %.6.i28.i = fsub contract <8 x double> zeroinitializer, %.6.i27.i
   %.578.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i704, <8 x double> %.501.i, <8 x double> %.6.i28.i)
-  store <8 x double> %.578.i, ptr %.499.i, align 8, !noalias !194
+  store <8 x double> %.578.i, ptr %.499.i, align 8, !noalias !197
   %.6.i29.i = fmul contract <8 x double> %.6.i26.i, %.501.i
   %.621.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i704, <8 x double> %.519.i, <8 x double> %.6.i29.i)
-  store <8 x double> %.621.i, ptr %.517.i, align 8, !noalias !194
+  store <8 x double> %.621.i, ptr %.517.i, align 8, !noalias !197
   %.163.i = icmp sgt i64 %.162251283.i, 1
-  br i1 %.163.i, label %B48.if.i699, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
+  br i1 %.163.i, label %B48.if.i699, label %_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v453B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit
 
 B48.if.i699:                                      ; preds = %B316739.i, %B48.if.lr.ph.i
   %.162251283.i = phi i64 [ %.96.i, %B48.if.lr.ph.i ], [ %.172.i, %B316739.i ]
@@ -10709,7 +10709,7 @@ B48.if.i699:                                      ; preds = %B316739.i, %B48.if.
   %.172.i = add nsw i64 %.162251283.i, -1
   %.176.i = add nuw i64 %.169258282.i, 8
   %.222.i = getelementptr inbounds double, ptr %.1166, i64 %.169258282.i
-  %.224.i = load <8 x double>, ptr %.222.i, align 8, !noalias !194
+  %.224.i = load <8 x double>, ptr %.222.i, align 8, !noalias !197
   %.8.i.i700 = fmul contract <8 x double> %.7.i.i696, %.224.i
   %.254.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i700, <8 x double> %.253.i695)
   br i1 %43, label %B316739.i, label %B488.if.preheader.i
@@ -10719,8 +10719,8 @@ B488.if.preheader.i:                              ; preds = %B48.if.i699
 
 B488.if.i:                                        ; preds = %B488.if.preheader.i, %B488.if.i
   %lsr.iv34 = phi i64 [ %lsr.iv.next35, %B488.if.i ], [ %42, %B488.if.preheader.i ]
-  %_velocity_v452_w.2.1248.i = phi <8 x double> [ %.6.i25.3.i, %B488.if.i ], [ %.254.i, %B488.if.preheader.i ]
-  %.6.i25.i = fmul contract <8 x double> %.254.i, %_velocity_v452_w.2.1248.i
+  %_velocity_v454_w.2.1248.i = phi <8 x double> [ %.6.i25.3.i, %B488.if.i ], [ %.254.i, %B488.if.preheader.i ]
+  %.6.i25.i = fmul contract <8 x double> %.254.i, %_velocity_v454_w.2.1248.i
   %.6.i25.1.i = fmul contract <8 x double> %.254.i, %.6.i25.i
   %.6.i25.2.i = fmul contract <8 x double> %.254.i, %.6.i25.1.i
   %.6.i25.3.i = fmul contract <8 x double> %.254.i, %.6.i25.2.i
@@ -10728,7 +10728,7 @@ B488.if.i:                                        ; preds = %B488.if.preheader.i
   %niter.ncmp.3.i = icmp eq i64 %lsr.iv.next35, 0
   br i1 %niter.ncmp.3.i, label %B316739.loopexit.unr-lcssa.i, label %B488.if.i
 
-_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit: ; preds = %B316739.i, %B316533.endif.endif.endif
+_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v453B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE.exit: ; preds = %B316739.i, %B316533.endif.endif.endif
   store ptr null, ptr %.7111, align 8
   call fastcc void @inner_27(ptr nonnull %.7111, i64 %.3381, i64 %arg.ends.0, i64 %arg.ends.2, ptr %arg.state.0.4, i64 %.554, ptr %arg.state.10.2.4, ptr %arg.state.10.3.4, ptr %arg.state.14.4)
   br label %B316611
@@ -10955,12 +10955,12 @@ B408:                                             ; preds = %B404
   %.1658 = getelementptr inbounds double, ptr %arg.weights.4, i64 %.1642
   %.1737 = getelementptr i8, ptr %arg.contents.4, i64 144
   %.1738 = load i64, ptr %.1737, align 8
-  %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !197
+  %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !200
   %.140.i = add nsw i64 %.1738, -1
   %.178.i = icmp slt i64 %.1738, 2
   %..140.i = select i1 %.178.i, i64 0, i64 %.140.i
   %.222229.i = icmp sgt i64 %..140.i, 0
-  br i1 %.222229.i, label %B88.if.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.222229.i, label %B88.if.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
 B556:                                             ; preds = %B404
   %.1831 = getelementptr i8, ptr %arg.contents.4, i64 120
@@ -10969,15 +10969,15 @@ B556:                                             ; preds = %B404
   %.1849 = getelementptr i8, ptr %1, i64 8
   %.1929 = getelementptr i8, ptr %arg.contents.4, i64 64
   %.1930 = load i64, ptr %.1929, align 8
-  %.135.i12 = load double, ptr %arg.grid_places.0.4, align 8, !noalias !200
+  %.135.i12 = load double, ptr %arg.grid_places.0.4, align 8, !noalias !203
   %.140.i13 = add nsw i64 %.1930, -2
   %.178.i14 = icmp slt i64 %.1930, 3
   %..140.i15 = select i1 %.178.i14, i64 0, i64 %.140.i13
   %.222229.i16 = icmp sgt i64 %..140.i15, 0
-  br i1 %.222229.i16, label %B88.if.i20, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67
+  br i1 %.222229.i16, label %B88.if.i20, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67
 
-common.ret:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67, %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %B356.if
-  %common.ret.op = phi i32 [ 1, %B356.if ], [ 0, %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ 0, %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67 ]
+common.ret:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67, %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %B356.if
+  %common.ret.op = phi i32 [ 1, %B356.if ], [ 0, %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit ], [ 0, %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67 ]
   ret i32 %common.ret.op
 
 B356.if:                                          ; preds = %B356
@@ -10996,19 +10996,19 @@ B146.i:                                           ; preds = %B88.if.i
   %.5.i.i = fptosi double %.289.i to i64
   %.13.i3.i = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i)
   %.350.i = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i3.i
-  %.351.i = load i64, ptr %.350.i, align 8, !noalias !197
+  %.351.i = load i64, ptr %.350.i, align 8, !noalias !200
   %.359.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.351.i
-  %.360.i = load double, ptr %.359.i, align 8, !noalias !197
+  %.360.i = load double, ptr %.359.i, align 8, !noalias !200
   %.362.i = fcmp contract ole double %.360.i, %.274.i
   %.364.i = zext i1 %.362.i to i64
   %.365.i = add nsw i64 %.351.i, %.364.i
   %.373.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.365.i
-  %.374.i = load double, ptr %.373.i, align 8, !noalias !197
+  %.374.i = load double, ptr %.373.i, align 8, !noalias !200
   %.376.i = fcmp contract ole double %.374.i, %.274.i
   %.378.i = zext i1 %.376.i to i64
   %.379.i = add nsw i64 %.365.i, %.378.i
   %.387.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.379.i
-  %.388.i = load double, ptr %.387.i, align 8, !noalias !197
+  %.388.i = load double, ptr %.387.i, align 8, !noalias !200
   %.390.i = fcmp contract ole double %.388.i, %.274.i
   %.392.i = zext i1 %.390.i to i64
   %.393.i = add nsw i64 %.379.i, %.392.i
@@ -11017,7 +11017,7 @@ B146.i:                                           ; preds = %B88.if.i
 
 B394.i:                                           ; preds = %B146.i
   %.419.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.393.i
-  %.420.i = load double, ptr %.419.i, align 8, !noalias !197
+  %.420.i = load double, ptr %.419.i, align 8, !noalias !200
   %.424.i = fcmp contract ugt double %.420.i, %.274.i
   br i1 %.424.i, label %B496.i, label %B434.i
 
@@ -11031,7 +11031,7 @@ B456.i:                                           ; preds = %B434.i
   %sunkaddr7 = shl i64 %lsr.iv5, 3
   %sunkaddr8 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr7
   %sunkaddr9 = getelementptr i8, ptr %sunkaddr8, i64 8
-  %.458.i = load double, ptr %sunkaddr9, align 8, !noalias !197
+  %.458.i = load double, ptr %sunkaddr9, align 8, !noalias !200
   %.462.i = fcmp contract ugt double %.458.i, %.274.i
   br i1 %.462.i, label %B496.i, label %B434.i
 
@@ -11039,25 +11039,25 @@ B496.i:                                           ; preds = %B456.i, %B434.i, %B
   %end.7.1.i = phi i64 [ %.393.i, %B146.i ], [ 0, %B88.if.i ], [ %.393.i, %B394.i ], [ %.683, %B434.i ], [ %2, %B456.i ]
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.683, i64 %end.7.1.i)
   %3 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.228226230.i
-  store i64 %.13.i.i, ptr %3, align 8, !noalias !197
+  store i64 %.13.i.i, ptr %3, align 8, !noalias !200
   %exitcond.not.i = icmp eq i64 %.235.i, %..140.i
-  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B88.if.i
+  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B88.if.i
 
 B88.if.i:                                         ; preds = %B408, %B496.i
   %.228226230.i = phi i64 [ %.235.i, %B496.i ], [ 0, %B408 ]
   %.235.i = add nuw nsw i64 %.228226230.i, 1
   %.271.i = getelementptr inbounds nuw double, ptr %.1658, i64 %.228226230.i
-  %.272.i = load double, ptr %.271.i, align 8, !noalias !197
+  %.272.i = load double, ptr %.271.i, align 8, !noalias !200
   %.274.i = fsub contract double %.272.i, %.271.le
   %.283.i = fcmp contract ult double %.274.i, %.135.i
   br i1 %.283.i, label %B496.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B496.i, %B408
+_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B496.i, %B408
   %.588.inv.i = icmp sgt i64 %.1738, 0
   %.589.i = select i1 %.588.inv.i, i64 0, i64 %arg.carrier.3.5.0
   %4 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.140.i
   %.603.i = getelementptr i64, ptr %4, i64 %.589.i
-  store i64 %.683, ptr %.603.i, align 8, !noalias !197
+  store i64 %.683, ptr %.603.i, align 8, !noalias !200
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
@@ -11067,19 +11067,19 @@ B146.i27:                                         ; preds = %B88.if.i20
   %.5.i.i30 = fptosi double %.289.i29 to i64
   %.13.i3.i31 = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i30)
   %.350.i32 = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i3.i31
-  %.351.i33 = load i64, ptr %.350.i32, align 8, !noalias !200
+  %.351.i33 = load i64, ptr %.350.i32, align 8, !noalias !203
   %.359.i34 = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.351.i33
-  %.360.i35 = load double, ptr %.359.i34, align 8, !noalias !200
+  %.360.i35 = load double, ptr %.359.i34, align 8, !noalias !203
   %.362.i36 = fcmp contract ole double %.360.i35, %.274.i25
   %.364.i37 = zext i1 %.362.i36 to i64
   %.365.i38 = add nsw i64 %.351.i33, %.364.i37
   %.373.i39 = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.365.i38
-  %.374.i40 = load double, ptr %.373.i39, align 8, !noalias !200
+  %.374.i40 = load double, ptr %.373.i39, align 8, !noalias !203
   %.376.i41 = fcmp contract ole double %.374.i40, %.274.i25
   %.378.i42 = zext i1 %.376.i41 to i64
   %.379.i43 = add nsw i64 %.365.i38, %.378.i42
   %.387.i44 = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.379.i43
-  %.388.i45 = load double, ptr %.387.i44, align 8, !noalias !200
+  %.388.i45 = load double, ptr %.387.i44, align 8, !noalias !203
   %.390.i46 = fcmp contract ole double %.388.i45, %.274.i25
   %.392.i47 = zext i1 %.390.i46 to i64
   %.393.i48 = add nsw i64 %.379.i43, %.392.i47
@@ -11088,7 +11088,7 @@ B146.i27:                                         ; preds = %B88.if.i20
 
 B394.i54:                                         ; preds = %B146.i27
   %.419.i55 = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.393.i48
-  %.420.i56 = load double, ptr %.419.i55, align 8, !noalias !200
+  %.420.i56 = load double, ptr %.419.i55, align 8, !noalias !203
   %.424.i57 = fcmp contract ugt double %.420.i56, %.274.i25
   br i1 %.424.i57, label %B496.i50, label %B434.i58
 
@@ -11102,7 +11102,7 @@ B456.i61:                                         ; preds = %B434.i58
   %sunkaddr10 = shl i64 %lsr.iv1, 3
   %sunkaddr11 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr10
   %sunkaddr12 = getelementptr i8, ptr %sunkaddr11, i64 8
-  %.458.i65 = load double, ptr %sunkaddr12, align 8, !noalias !200
+  %.458.i65 = load double, ptr %sunkaddr12, align 8, !noalias !203
   %.462.i66 = fcmp contract ugt double %.458.i65, %.274.i25
   br i1 %.462.i66, label %B496.i50, label %B434.i58
 
@@ -11110,25 +11110,25 @@ B496.i50:                                         ; preds = %B456.i61, %B434.i58
   %end.7.1.i51 = phi i64 [ %.393.i48, %B146.i27 ], [ 0, %B88.if.i20 ], [ %.393.i48, %B394.i54 ], [ %.683, %B434.i58 ], [ %5, %B456.i61 ]
   %.13.i.i52 = tail call i64 @llvm.smin.i64(i64 %.683, i64 %end.7.1.i51)
   %6 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.228226230.i21
-  store i64 %.13.i.i52, ptr %6, align 8, !noalias !200
+  store i64 %.13.i.i52, ptr %6, align 8, !noalias !203
   %exitcond.not.i53 = icmp eq i64 %.235.i22, %..140.i15
-  br i1 %exitcond.not.i53, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67, label %B88.if.i20
+  br i1 %exitcond.not.i53, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67, label %B88.if.i20
 
 B88.if.i20:                                       ; preds = %B556, %B496.i50
   %.228226230.i21 = phi i64 [ %.235.i22, %B496.i50 ], [ 0, %B556 ]
   %.235.i22 = add nuw nsw i64 %.228226230.i21, 1
   %.271.i23 = getelementptr inbounds nuw double, ptr %.1849, i64 %.228226230.i21
-  %.272.i24 = load double, ptr %.271.i23, align 8, !noalias !200
+  %.272.i24 = load double, ptr %.271.i23, align 8, !noalias !203
   %.274.i25 = fsub contract double %.272.i24, %.271.le
   %.283.i26 = fcmp contract ult double %.274.i25, %.135.i12
   br i1 %.283.i26, label %B496.i50, label %B146.i27
 
-_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67: ; preds = %B496.i50, %B556
+_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit67: ; preds = %B496.i50, %B556
   %.588.inv.i17 = icmp sgt i64 %.1930, 1
   %.589.i18 = select i1 %.588.inv.i17, i64 0, i64 %arg.carrier.3.5.0
   %7 = getelementptr i64, ptr %arg.carrier.3.4, i64 %.140.i13
   %.603.i19 = getelementptr i64, ptr %7, i64 %.589.i18
-  store i64 %.683, ptr %.603.i19, align 8, !noalias !200
+  store i64 %.683, ptr %.603.i19, align 8, !noalias !203
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 }
@@ -11172,14 +11172,14 @@ entry:
   br i1 %.507321.not.i, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122, label %B94.if.lr.ph.i
 
 B578:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
-  %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !203
+  %.135.i = load double, ptr %arg.grid_places.0.4, align 8, !noalias !206
   %.140.i = add nsw i64 %.287, -2
   %.178.i = icmp slt i64 %.287, 3
   %..140.i = select i1 %.178.i, i64 0, i64 %.140.i
   %.222229.i = icmp sgt i64 %..140.i, 0
-  br i1 %.222229.i, label %B88.if.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.222229.i, label %B88.if.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
-common.ret.sink.split:                            ; preds = %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
+common.ret.sink.split:                            ; preds = %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit122
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -11223,34 +11223,34 @@ B94.if.i:                                         ; preds = %B94.if.i, %B94.if.l
   %lsr.iv53.i = phi i64 [ %lsr.iv.next54.i, %B94.if.i ], [ 0, %B94.if.lr.ph.i ]
   %scevgep256 = getelementptr i8, ptr %scevgep254, i64 %lsr.iv53.i
   %scevgep257 = getelementptr i8, ptr %scevgep256, i64 -8
-  %.554.i = load <8 x double>, ptr %scevgep257, align 8, !noalias !206
-  %.565.i = load <8 x double>, ptr %scevgep256, align 8, !noalias !206
+  %.554.i = load <8 x double>, ptr %scevgep257, align 8, !noalias !209
+  %.565.i = load <8 x double>, ptr %scevgep256, align 8, !noalias !209
   %scevgep252 = getelementptr i8, ptr %scevgep250, i64 %lsr.iv53.i
   %scevgep253 = getelementptr i8, ptr %scevgep252, i64 -8
-  %.575.i = load <8 x double>, ptr %scevgep253, align 8, !noalias !206
-  %.586.i = load <8 x double>, ptr %scevgep252, align 8, !noalias !206
+  %.575.i = load <8 x double>, ptr %scevgep253, align 8, !noalias !209
+  %.586.i = load <8 x double>, ptr %scevgep252, align 8, !noalias !209
   %scevgep23 = getelementptr i8, ptr %scevgep22, i64 %lsr.iv53.i
-  %.596.i = load <8 x double>, ptr %scevgep23, align 8, !noalias !206
+  %.596.i = load <8 x double>, ptr %scevgep23, align 8, !noalias !209
   %scevgep21 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv53.i
-  %.606.i = load <8 x double>, ptr %scevgep21, align 8, !noalias !206
+  %.606.i = load <8 x double>, ptr %scevgep21, align 8, !noalias !209
   %.6.i.i = fsub contract <8 x double> %.565.i, %.554.i
   %.6.i46.i = fmul contract <8 x double> %.6.i.i, %.606.i
   %scevgep65.i = getelementptr i8, ptr %.377, i64 %lsr.iv53.i
-  store <8 x double> %.554.i, ptr %scevgep65.i, align 8, !noalias !206
+  store <8 x double> %.554.i, ptr %scevgep65.i, align 8, !noalias !209
   %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i)
   %.8.i.i = fmul contract <8 x double> %.669.i, splat (double 0x3FC5555555555555)
   %.6.i47.i = fmul contract <8 x double> %.596.i, %.8.i.i
   %.6.i48.i = fsub contract <8 x double> %.6.i46.i, %.6.i47.i
   %scevgep64.i = getelementptr i8, ptr %4, i64 %lsr.iv53.i
-  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !206
+  store <8 x double> %.6.i48.i, ptr %scevgep64.i, align 8, !noalias !209
   %.8.i49.i = fmul contract <8 x double> %.575.i, splat (double 5.000000e-01)
   %scevgep63.i = getelementptr i8, ptr %5, i64 %lsr.iv53.i
-  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !206
+  store <8 x double> %.8.i49.i, ptr %scevgep63.i, align 8, !noalias !209
   %.6.i50.i = fsub contract <8 x double> %.586.i, %.575.i
   %.6.i51.i = fmul contract <8 x double> %.6.i50.i, %.606.i
   %.8.i52.i = fmul contract <8 x double> %.6.i51.i, splat (double 0x3FC5555555555555)
   %scevgep62.i = getelementptr i8, ptr %6, i64 %lsr.iv53.i
-  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !206
+  store <8 x double> %.8.i52.i, ptr %scevgep62.i, align 8, !noalias !209
   %lsr.iv.next54.i = add i64 %lsr.iv53.i, 64
   %lsr.iv.next7 = add nsw i64 %lsr.iv6, -1
   %.507.i = icmp sgt i64 %lsr.iv6, 8
@@ -11277,34 +11277,34 @@ B94.if.i88:                                       ; preds = %B94.if.i88, %B94.if
   %lsr.iv53.i89 = phi i64 [ %lsr.iv.next54.i118, %B94.if.i88 ], [ 0, %B94.if.lr.ph.i86 ]
   %scevgep246 = getelementptr i8, ptr %scevgep244, i64 %lsr.iv53.i89
   %scevgep247 = getelementptr i8, ptr %scevgep246, i64 -8
-  %.554.i92 = load <8 x double>, ptr %scevgep247, align 8, !noalias !209
-  %.565.i94 = load <8 x double>, ptr %scevgep246, align 8, !noalias !209
+  %.554.i92 = load <8 x double>, ptr %scevgep247, align 8, !noalias !212
+  %.565.i94 = load <8 x double>, ptr %scevgep246, align 8, !noalias !212
   %scevgep242 = getelementptr i8, ptr %scevgep240, i64 %lsr.iv53.i89
   %scevgep243 = getelementptr i8, ptr %scevgep242, i64 -8
-  %.575.i96 = load <8 x double>, ptr %scevgep243, align 8, !noalias !209
-  %.586.i98 = load <8 x double>, ptr %scevgep242, align 8, !noalias !209
+  %.575.i96 = load <8 x double>, ptr %scevgep243, align 8, !noalias !212
+  %.586.i98 = load <8 x double>, ptr %scevgep242, align 8, !noalias !212
   %scevgep16 = getelementptr i8, ptr %scevgep22, i64 %lsr.iv53.i89
-  %.596.i100 = load <8 x double>, ptr %scevgep16, align 8, !noalias !209
+  %.596.i100 = load <8 x double>, ptr %scevgep16, align 8, !noalias !212
   %scevgep14 = getelementptr i8, ptr %scevgep20, i64 %lsr.iv53.i89
-  %.606.i102 = load <8 x double>, ptr %scevgep14, align 8, !noalias !209
+  %.606.i102 = load <8 x double>, ptr %scevgep14, align 8, !noalias !212
   %.6.i.i103 = fsub contract <8 x double> %.565.i94, %.554.i92
   %.6.i46.i104 = fmul contract <8 x double> %.6.i.i103, %.606.i102
   %scevgep65.i105 = getelementptr i8, ptr %.502, i64 %lsr.iv53.i89
-  store <8 x double> %.554.i92, ptr %scevgep65.i105, align 8, !noalias !209
+  store <8 x double> %.554.i92, ptr %scevgep65.i105, align 8, !noalias !212
   %.669.i106 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i96, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i98)
   %.8.i.i107 = fmul contract <8 x double> %.669.i106, splat (double 0x3FC5555555555555)
   %.6.i47.i108 = fmul contract <8 x double> %.596.i100, %.8.i.i107
   %.6.i48.i109 = fsub contract <8 x double> %.6.i46.i104, %.6.i47.i108
   %scevgep64.i110 = getelementptr i8, ptr %22, i64 %lsr.iv53.i89
-  store <8 x double> %.6.i48.i109, ptr %scevgep64.i110, align 8, !noalias !209
+  store <8 x double> %.6.i48.i109, ptr %scevgep64.i110, align 8, !noalias !212
   %.8.i49.i111 = fmul contract <8 x double> %.575.i96, splat (double 5.000000e-01)
   %scevgep63.i112 = getelementptr i8, ptr %23, i64 %lsr.iv53.i89
-  store <8 x double> %.8.i49.i111, ptr %scevgep63.i112, align 8, !noalias !209
+  store <8 x double> %.8.i49.i111, ptr %scevgep63.i112, align 8, !noalias !212
   %.6.i50.i113 = fsub contract <8 x double> %.586.i98, %.575.i96
   %.6.i51.i114 = fmul contract <8 x double> %.6.i50.i113, %.606.i102
   %.8.i52.i115 = fmul contract <8 x double> %.6.i51.i114, splat (double 0x3FC5555555555555)
   %scevgep62.i116 = getelementptr i8, ptr %24, i64 %lsr.iv53.i89
-  store <8 x double> %.8.i52.i115, ptr %scevgep62.i116, align 8, !noalias !209
+  store <8 x double> %.8.i52.i115, ptr %scevgep62.i116, align 8, !noalias !212
   %lsr.iv.next54.i118 = add i64 %lsr.iv53.i89, 64
   %lsr.iv.next = add nsw i64 %lsr.iv, -1
   %.507.i119 = icmp sgt i64 %lsr.iv, 8
@@ -11339,19 +11339,19 @@ B146.i:                                           ; preds = %B88.if.i
   %.5.i.i = fptosi double %.289.i to i64
   %.13.i3.i = tail call i64 @llvm.smin.i64(i64 %arg.grid_places.3, i64 %.5.i.i)
   %.350.i = getelementptr inbounds i64, ptr %arg.grid_places.2.4, i64 %.13.i3.i
-  %.351.i = load i64, ptr %.350.i, align 8, !noalias !203
+  %.351.i = load i64, ptr %.350.i, align 8, !noalias !206
   %.359.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.351.i
-  %.360.i = load double, ptr %.359.i, align 8, !noalias !203
+  %.360.i = load double, ptr %.359.i, align 8, !noalias !206
   %.362.i = fcmp contract ole double %.360.i, %.274.i
   %.364.i = zext i1 %.362.i to i64
   %.365.i = add nsw i64 %.351.i, %.364.i
   %.373.i125 = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.365.i
-  %.374.i = load double, ptr %.373.i125, align 8, !noalias !203
+  %.374.i = load double, ptr %.373.i125, align 8, !noalias !206
   %.376.i = fcmp contract ole double %.374.i, %.274.i
   %.378.i = zext i1 %.376.i to i64
   %.379.i = add nsw i64 %.365.i, %.378.i
   %.387.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.379.i
-  %.388.i = load double, ptr %.387.i, align 8, !noalias !203
+  %.388.i = load double, ptr %.387.i, align 8, !noalias !206
   %.390.i = fcmp contract ole double %.388.i, %.274.i
   %.392.i = zext i1 %.390.i to i64
   %.393.i = add nsw i64 %.379.i, %.392.i
@@ -11360,7 +11360,7 @@ B146.i:                                           ; preds = %B88.if.i
 
 B394.i:                                           ; preds = %B146.i
   %.419.i = getelementptr inbounds double, ptr %arg.grid_places.0.4, i64 %.393.i
-  %.420.i = load double, ptr %.419.i, align 8, !noalias !203
+  %.420.i = load double, ptr %.419.i, align 8, !noalias !206
   %.424.i = fcmp contract ugt double %.420.i, %.274.i
   br i1 %.424.i, label %B496.i, label %B434.i
 
@@ -11374,7 +11374,7 @@ B456.i:                                           ; preds = %B434.i
   %sunkaddr = shl i64 %lsr.iv2, 3
   %sunkaddr8 = getelementptr i8, ptr %arg.grid_places.0.4, i64 %sunkaddr
   %sunkaddr9 = getelementptr i8, ptr %sunkaddr8, i64 8
-  %.458.i = load double, ptr %sunkaddr9, align 8, !noalias !203
+  %.458.i = load double, ptr %sunkaddr9, align 8, !noalias !206
   %.462.i = fcmp contract ugt double %.458.i, %.274.i
   br i1 %.462.i, label %B496.i, label %B434.i
 
@@ -11382,9 +11382,9 @@ B496.i:                                           ; preds = %B456.i, %B434.i, %B
   %end.7.1.i = phi i64 [ %.393.i, %B146.i ], [ 0, %B88.if.i ], [ %.393.i, %B394.i ], [ %.13.i123, %B434.i ], [ %35, %B456.i ]
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i123, i64 %end.7.1.i)
   %36 = getelementptr i64, ptr %.647, i64 %.228226230.i
-  store i64 %.13.i.i, ptr %36, align 8, !noalias !203
+  store i64 %.13.i.i, ptr %36, align 8, !noalias !206
   %exitcond.not.i = icmp eq i64 %.235.i, %..140.i
-  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B88.if.i
+  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B88.if.i
 
 B88.if.i:                                         ; preds = %B578, %B496.i
   %.228226230.i = phi i64 [ %.235.i, %B496.i ], [ 0, %B578 ]
@@ -11392,17 +11392,17 @@ B88.if.i:                                         ; preds = %B578, %B496.i
   %sunkaddr260 = shl i64 %.228226230.i, 3
   %sunkaddr261 = getelementptr inbounds i8, ptr %.741, i64 %sunkaddr260
   %sunkaddr262 = getelementptr inbounds nuw i8, ptr %sunkaddr261, i64 8
-  %.272.i124 = load double, ptr %sunkaddr262, align 8, !noalias !203
+  %.272.i124 = load double, ptr %sunkaddr262, align 8, !noalias !206
   %.274.i = fsub contract double %.272.i124, %arg.shift
   %.283.i = fcmp contract ult double %.274.i, %.135.i
   br i1 %.283.i, label %B496.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B496.i, %B578
+_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B496.i, %B578
   %.588.inv.i = icmp sgt i64 %.287, 1
   %.589.i = select i1 %.588.inv.i, i64 0, i64 %.330
   %37 = getelementptr i64, ptr %.647, i64 %.140.i
   %.603.i = getelementptr i64, ptr %37, i64 %.589.i
-  store i64 %.13.i123, ptr %.603.i, align 8, !noalias !203
+  store i64 %.13.i123, ptr %.603.i, align 8, !noalias !206
   br label %common.ret.sink.split
 }
 
@@ -11458,10 +11458,10 @@ B480:                                             ; preds = %B476
   %.1212 = load i64, ptr %.1211, align 8
   %.1235 = getelementptr double, ptr %arg.grid.4, i64 %arg.stride
   %.126.i = icmp slt i64 %.13.i24, %.13.i27
-  br i1 %.126.i, label %B22.preheader.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.126.i, label %B22.preheader.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
-B736:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B476
-  %.696..784 = phi i64 [ %.13.i25, %B476 ], [ %.13.i27, %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
+B736:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B476
+  %.696..784 = phi i64 [ %.13.i25, %B476 ], [ %.13.i27, %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
   %.1867 = sub nsw i64 %.696..784, %arg.start
   %.1874 = icmp sgt i64 %.1867, 0
   br i1 %.1874, label %B1168, label %B1270
@@ -11494,55 +11494,55 @@ B1168:                                            ; preds = %B736
   %.2596 = getelementptr inbounds nuw i8, ptr %arg.carrier.0.4, i64 192
   %.2532 = getelementptr inbounds nuw i8, ptr %arg.carrier.0.4, i64 64
   %.1012.i = getelementptr i8, ptr %arg.carrier.0.4, i64 264
-  %.1013.i = load double, ptr %.1012.i, align 8, !noalias !212
+  %.1013.i = load double, ptr %.1012.i, align 8, !noalias !215
   %.983.i = getelementptr i8, ptr %arg.carrier.0.4, i64 256
-  %.984.i = load double, ptr %.983.i, align 8, !noalias !212
+  %.984.i = load double, ptr %.983.i, align 8, !noalias !215
   %.954.i = getelementptr i8, ptr %arg.carrier.0.4, i64 248
-  %.955.i = load double, ptr %.954.i, align 8, !noalias !212
+  %.955.i = load double, ptr %.954.i, align 8, !noalias !215
   %.925.i = getelementptr i8, ptr %arg.carrier.0.4, i64 240
-  %.926.i = load double, ptr %.925.i, align 8, !noalias !212
+  %.926.i = load double, ptr %.925.i, align 8, !noalias !215
   %.896.i = getelementptr i8, ptr %arg.carrier.0.4, i64 232
-  %.897.i = load double, ptr %.896.i, align 8, !noalias !212
+  %.897.i = load double, ptr %.896.i, align 8, !noalias !215
   %.867.i = getelementptr i8, ptr %arg.carrier.0.4, i64 224
-  %.868.i = load double, ptr %.867.i, align 8, !noalias !212
+  %.868.i = load double, ptr %.867.i, align 8, !noalias !215
   %.838.i = getelementptr i8, ptr %arg.carrier.0.4, i64 216
-  %.839.i = load double, ptr %.838.i, align 8, !noalias !212
+  %.839.i = load double, ptr %.838.i, align 8, !noalias !215
   %.809.i = getelementptr i8, ptr %arg.carrier.0.4, i64 208
-  %.810.i = load double, ptr %.809.i, align 8, !noalias !212
+  %.810.i = load double, ptr %.809.i, align 8, !noalias !215
   %.780.i = getelementptr i8, ptr %arg.carrier.0.4, i64 200
-  %.781.i = load double, ptr %.780.i, align 8, !noalias !212
-  %.752.i = load double, ptr %.2596, align 8, !noalias !212
+  %.781.i = load double, ptr %.780.i, align 8, !noalias !215
+  %.752.i = load double, ptr %.2596, align 8, !noalias !215
   %.647.i = getelementptr i8, ptr %arg.carrier.0.4, i64 184
-  %.648.i = load double, ptr %.647.i, align 8, !noalias !212
+  %.648.i = load double, ptr %.647.i, align 8, !noalias !215
   %.618.i = getelementptr i8, ptr %arg.carrier.0.4, i64 176
-  %.619.i = load double, ptr %.618.i, align 8, !noalias !212
+  %.619.i = load double, ptr %.618.i, align 8, !noalias !215
   %.589.i = getelementptr i8, ptr %arg.carrier.0.4, i64 168
-  %.590.i = load double, ptr %.589.i, align 8, !noalias !212
+  %.590.i = load double, ptr %.589.i, align 8, !noalias !215
   %.560.i = getelementptr i8, ptr %arg.carrier.0.4, i64 160
-  %.561.i = load double, ptr %.560.i, align 8, !noalias !212
+  %.561.i = load double, ptr %.560.i, align 8, !noalias !215
   %.531.i = getelementptr i8, ptr %arg.carrier.0.4, i64 152
-  %.532.i = load double, ptr %.531.i, align 8, !noalias !212
+  %.532.i = load double, ptr %.531.i, align 8, !noalias !215
   %.502.i = getelementptr i8, ptr %arg.carrier.0.4, i64 144
-  %.503.i = load double, ptr %.502.i, align 8, !noalias !212
+  %.503.i = load double, ptr %.502.i, align 8, !noalias !215
   %.473.i = getelementptr i8, ptr %arg.carrier.0.4, i64 136
-  %.474.i = load double, ptr %.473.i, align 8, !noalias !212
+  %.474.i = load double, ptr %.473.i, align 8, !noalias !215
   %.444.i = getelementptr i8, ptr %arg.carrier.0.4, i64 128
-  %.445.i = load double, ptr %.444.i, align 8, !noalias !212
+  %.445.i = load double, ptr %.444.i, align 8, !noalias !215
   %.343.i = getelementptr i8, ptr %arg.carrier.0.4, i64 120
-  %.344.i = load double, ptr %.343.i, align 8, !noalias !212
+  %.344.i = load double, ptr %.343.i, align 8, !noalias !215
   %.314.i87 = getelementptr i8, ptr %arg.carrier.0.4, i64 112
-  %.315.i88 = load double, ptr %.314.i87, align 8, !noalias !212
+  %.315.i88 = load double, ptr %.314.i87, align 8, !noalias !215
   %.285.i = getelementptr i8, ptr %arg.carrier.0.4, i64 104
-  %.286.i = load double, ptr %.285.i, align 8, !noalias !212
+  %.286.i = load double, ptr %.285.i, align 8, !noalias !215
   %.256.i89 = getelementptr i8, ptr %arg.carrier.0.4, i64 96
-  %.257.i = load double, ptr %.256.i89, align 8, !noalias !212
+  %.257.i = load double, ptr %.256.i89, align 8, !noalias !215
   %.227.i = getelementptr i8, ptr %arg.carrier.0.4, i64 88
-  %.228.i90 = load double, ptr %.227.i, align 8, !noalias !212
+  %.228.i90 = load double, ptr %.227.i, align 8, !noalias !215
   %.198.i = getelementptr i8, ptr %arg.carrier.0.4, i64 80
-  %.199.i = load double, ptr %.198.i, align 8, !noalias !212
+  %.199.i = load double, ptr %.198.i, align 8, !noalias !215
   %.169.i = getelementptr i8, ptr %arg.carrier.0.4, i64 72
-  %.170.i91 = load double, ptr %.169.i, align 8, !noalias !212
-  %.141.i = load double, ptr %.2532, align 8, !noalias !212
+  %.170.i91 = load double, ptr %.169.i, align 8, !noalias !215
+  %.141.i = load double, ptr %.2532, align 8, !noalias !215
   %.1282.i = insertelement <8 x double> poison, double %.619.i, i64 0
   %.1283.i = shufflevector <8 x double> %.1282.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1285.i = insertelement <8 x double> poison, double %.561.i, i64 0
@@ -11671,7 +11671,7 @@ select.true.sink.i.i:                             ; preds = %B94.i
   %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
   %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
   %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v362B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
 select.false.sink.i.i:                            ; preds = %B94.i
   %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
@@ -11682,9 +11682,9 @@ select.false.sink.i.i:                            ; preds = %B94.i
   %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
   %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
   %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v362B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v362B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
   %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
   %.65.i.i = shl i64 %.56.i.i, 62
   %.66.i.i = add i64 %.65.i.i, 4611686018427387904
@@ -11696,15 +11696,15 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %.266.i = fmul contract double %.833, %.89.i.i
   br label %B144.i
 
-B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-  %"$phi144.1.2.1.i" = phi double [ %.266.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v360B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
+B144.i:                                           ; preds = %B34.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v362B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %"$phi144.1.2.1.i" = phi double [ %.266.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v362B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ 0.000000e+00, %B34.if.i ]
   %scevgep14 = getelementptr i8, ptr %arg.a.4, i64 %13
-  store double %"$phi144.1.2.1.i", ptr %scevgep14, align 8, !noalias !215
+  store double %"$phi144.1.2.1.i", ptr %scevgep14, align 8, !noalias !218
   %.314.i = fsub contract double %.218.i, %.971
   %12 = fmul contract double %.1001, %.314.i
   %.319.i = fsub contract double %.865, %12
   %scevgep13 = getelementptr i8, ptr %arg.p.4, i64 %13
-  store double %.319.i, ptr %scevgep13, align 8, !noalias !215
+  store double %.319.i, ptr %scevgep13, align 8, !noalias !218
   %exitcond.not.i = icmp eq i64 %.941, %.158.i
   br i1 %exitcond.not.i, label %B476, label %B34.if.i
 
@@ -11713,7 +11713,7 @@ B34.if.i:                                         ; preds = %B322, %B144.i
   %.158.i = add nuw nsw i64 %.151102104.i, 1
   %13 = shl i64 %.151102104.i, 3
   %scevgep2.i = getelementptr i8, ptr %.888, i64 %13
-  %.216.i = load double, ptr %scevgep2.i, align 8, !noalias !215
+  %.216.i = load double, ptr %scevgep2.i, align 8, !noalias !218
   %.218.i = fmul contract double %.405, %.216.i
   %.223.i = fmul contract double %.218.i, 2.000000e+00
   %.228.i = fdiv contract double %.223.i, %.971
@@ -11737,7 +11737,7 @@ B22.i:                                            ; preds = %B926.i, %B22.prehea
   %cell.2.0.i = phi i64 [ %cell.3.2.i, %B926.i ], [ %.1212, %B22.preheader.i ]
   %start.2.0.i = phi i64 [ %.13.i.i, %B926.i ], [ %.13.i25, %B22.preheader.i ]
   %.149.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.2.0.i
-  %.150.i = load i64, ptr %.149.i, align 8, !noalias !218
+  %.150.i = load i64, ptr %.149.i, align 8, !noalias !221
   %.154.not.i = icmp sgt i64 %.150.i, %start.2.0.i
   br i1 %.154.not.i, label %B112.i, label %B62.i
 
@@ -11746,14 +11746,14 @@ B62.i:                                            ; preds = %B22.i, %B62.i
   %.157.i = add i64 %cell.4.1.i, 1
   %sunkaddr15 = shl i64 %.157.i, 3
   %sunkaddr16 = getelementptr i8, ptr %arg.carrier.3.4, i64 %sunkaddr15
-  %.170.i = load i64, ptr %sunkaddr16, align 8, !noalias !218
+  %.170.i = load i64, ptr %sunkaddr16, align 8, !noalias !221
   %.172.not.i = icmp sgt i64 %.170.i, %start.2.0.i
   br i1 %.172.not.i, label %B112.i, label %B62.i
 
 B112.i:                                           ; preds = %B62.i, %B22.i
   %cell.3.2.i = phi i64 [ %cell.2.0.i, %B22.i ], [ %.157.i, %B62.i ]
   %.184.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.3.2.i
-  %.185.i = load i64, ptr %.184.i, align 8, !noalias !218
+  %.185.i = load i64, ptr %.184.i, align 8, !noalias !221
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i27, i64 %.185.i)
   %.395.i = sub i64 %.13.i.i, %start.2.0.i
   %15 = add i64 %.395.i, 7
@@ -11765,31 +11765,31 @@ B112.i:                                           ; preds = %B62.i, %B22.i
 
 B926.i:                                           ; preds = %B570.if.i, %B112.i
   %.602.i = icmp slt i64 %.185.i, %.13.i27
-  br i1 %.602.i, label %B22.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.602.i, label %B22.i, label %_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B570.if.lr.ph.i:                                  ; preds = %B112.i
   %.228.i43 = getelementptr inbounds double, ptr %.1102, i64 %cell.3.2.i
-  %.229.i44 = load double, ptr %.228.i43, align 8, !noalias !218
+  %.229.i44 = load double, ptr %.228.i43, align 8, !noalias !221
   %.231.i = fsub contract double %.435, %.229.i44
   %.279.i = add nsw i64 %cell.3.2.i, %.277.i
   %.347.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.279.i
-  %.348.i = load double, ptr %.347.i, align 8, !noalias !218
+  %.348.i = load double, ptr %.347.i, align 8, !noalias !221
   %.266.i45 = add nsw i64 %cell.3.2.i, %.264.i
   %.334.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.266.i45
-  %.335.i = load double, ptr %.334.i, align 8, !noalias !218
+  %.335.i = load double, ptr %.334.i, align 8, !noalias !221
   %.247.i = add nsw i64 %cell.3.2.i, %arg.sizes.0
   %.315.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %.247.i
-  %.316.i = load double, ptr %.315.i, align 8, !noalias !218
+  %.316.i = load double, ptr %.315.i, align 8, !noalias !221
   %.303.i = getelementptr inbounds double, ptr %arg.cubics.1.4, i64 %cell.3.2.i
-  %.304.i = load double, ptr %.303.i, align 8, !noalias !218
+  %.304.i = load double, ptr %.303.i, align 8, !noalias !221
   %.287.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.279.i
-  %.288.i = load double, ptr %.287.i, align 8, !noalias !218
+  %.288.i = load double, ptr %.287.i, align 8, !noalias !221
   %.274.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.266.i45
-  %.275.i = load double, ptr %.274.i, align 8, !noalias !218
+  %.275.i = load double, ptr %.274.i, align 8, !noalias !221
   %.255.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %.247.i
-  %.256.i = load double, ptr %.255.i, align 8, !noalias !218
+  %.256.i = load double, ptr %.255.i, align 8, !noalias !221
   %.243.i = getelementptr inbounds double, ptr %arg.cubics.0.4, i64 %cell.3.2.i
-  %.244.i = load double, ptr %.243.i, align 8, !noalias !218
+  %.244.i = load double, ptr %.243.i, align 8, !noalias !221
   %.514.i = insertelement <8 x double> poison, double %.288.i, i64 0
   %.515.i = shufflevector <8 x double> %.514.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.517.i = insertelement <8 x double> poison, double %.275.i, i64 0
@@ -11816,24 +11816,24 @@ B570.if.i:                                        ; preds = %B570.if.i, %B570.if
   %lsr.iv11 = phi i64 [ %lsr.iv.next12, %B570.if.i ], [ %17, %B570.if.lr.ph.i ]
   %lsr.iv8.i = phi i64 [ %lsr.iv.next9.i, %B570.if.i ], [ %16, %B570.if.lr.ph.i ]
   %scevgep13.i = getelementptr i8, ptr %.1235, i64 %lsr.iv8.i
-  %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !218
+  %.485.i = load <8 x double>, ptr %scevgep13.i, align 8, !noalias !221
   %.8.i.i48 = fadd contract <8 x double> %.7.i.i47, %.485.i
   %.519.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.515.i, <8 x double> %.518.i)
   %.523.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.519.i, <8 x double> %.522.i)
   %.527.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.523.i, <8 x double> %.526.i)
   %scevgep12.i = getelementptr i8, ptr %scevgep11.i, i64 %lsr.iv8.i
-  store <8 x double> %.527.i, ptr %scevgep12.i, align 8, !noalias !218
+  store <8 x double> %.527.i, ptr %scevgep12.i, align 8, !noalias !221
   %.546.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.542.i, <8 x double> %.545.i)
   %.550.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.546.i, <8 x double> %.549.i)
   %.554.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i48, <8 x double> %.550.i, <8 x double> %.553.i)
   %scevgep10.i = getelementptr i8, ptr %scevgep7.i, i64 %lsr.iv8.i
-  store <8 x double> %.554.i, ptr %scevgep10.i, align 8, !noalias !218
+  store <8 x double> %.554.i, ptr %scevgep10.i, align 8, !noalias !221
   %lsr.iv.next9.i = add i64 %lsr.iv8.i, 64
   %lsr.iv.next12 = add nsw i64 %lsr.iv11, -1
   %.438.i = icmp sgt i64 %lsr.iv11, 8
   br i1 %.438.i, label %B570.if.i, label %B926.i
 
-_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B926.i, %B480
+_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B926.i, %B480
   %cell.5.1.i = phi i64 [ %.1212, %B480 ], [ %cell.3.2.i, %B926.i ]
   store i64 %cell.5.1.i, ptr %.1211, align 8
   br label %B736
@@ -11844,10 +11844,10 @@ B484.if.i:                                        ; preds = %B484.if.i, %B1168
   %lsr.iv = phi ptr [ %scevgep8, %B484.if.i ], [ %arg.phase.4, %B1168 ]
   %lsr.iv320 = phi ptr [ %scevgep321, %B484.if.i ], [ %.2159, %B1168 ]
   %scevgep324 = getelementptr i8, ptr %lsr.iv320, i64 %.idx1807
-  %.1236.i = load <8 x double>, ptr %scevgep324, align 8, !noalias !212
-  %.1246.i = load <8 x double>, ptr %lsr.iv320, align 8, !noalias !212
+  %.1236.i = load <8 x double>, ptr %scevgep324, align 8, !noalias !215
+  %.1246.i = load <8 x double>, ptr %lsr.iv320, align 8, !noalias !215
   %sunkaddr19 = getelementptr i8, ptr %lsr.iv320, i64 %sunkaddr18
-  %.1256.i = load <8 x double>, ptr %sunkaddr19, align 8, !noalias !212
+  %.1256.i = load <8 x double>, ptr %sunkaddr19, align 8, !noalias !215
   %.6.i.i93 = fmul contract <8 x double> %.1236.i, %.1236.i
   %.1287.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1283.i, <8 x double> %.1286.i)
   %.1291.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1287.i, <8 x double> %.1290.i)
@@ -11868,19 +11868,19 @@ B484.if.i:                                        ; preds = %B484.if.i, %B1168
   %.1366.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i.i93, <8 x double> %.1362.i, <8 x double> %.1365.i)
   %.1367.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1340.i, <8 x double> %.1325.i)
   %scevgep322 = getelementptr i8, ptr %lsr.iv320, i64 %.idx1808
-  %.1377.i = load <8 x double>, ptr %scevgep322, align 8, !noalias !212
+  %.1377.i = load <8 x double>, ptr %scevgep322, align 8, !noalias !215
   %.6.i16.i = fmul contract <8 x double> %.1377.i, %.1367.i
   %.6.i17.i = fmul contract <8 x double> %.1246.i, %.1256.i
   %.1426.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1366.i, <8 x double> %.1355.i)
   %.1430.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i17.i, <8 x double> %.1429.i, <8 x double> %.1426.i)
   %.1431.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1236.i, <8 x double> %.1310.i, <8 x double> %.1295.i)
-  %.1441.i = load <8 x double>, ptr %lsr.iv9, align 8, !noalias !212
+  %.1441.i = load <8 x double>, ptr %lsr.iv9, align 8, !noalias !215
   %.1442.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1431.i, <8 x double> %.1441.i)
   %.1443.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1256.i, <8 x double> %.1430.i, <8 x double> %.1442.i)
   %.6.i18.i = fadd contract <8 x double> %.6.i16.i, %.1443.i
   %.1450.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1246.i, <8 x double> %.1447.i, <8 x double> %.1449.i)
   %.6.i19.i = fsub contract <8 x double> %.1450.i, %.6.i18.i
-  store <8 x double> %.6.i19.i, ptr %lsr.iv, align 8, !noalias !212
+  store <8 x double> %.6.i19.i, ptr %lsr.iv, align 8, !noalias !215
   %scevgep321 = getelementptr i8, ptr %lsr.iv320, i64 64
   %scevgep8 = getelementptr i8, ptr %lsr.iv, i64 64
   %scevgep11 = getelementptr i8, ptr %lsr.iv9, i64 64
@@ -11901,7 +11901,7 @@ B22.i118:                                         ; preds = %B1344.i, %B22.prehe
   %cell.2.0.i119 = phi i64 [ %cell.3.2.i125, %B1344.i ], [ %.3161, %B22.preheader.i117 ]
   %start.2.0.i120 = phi i64 [ %.13.i.i126, %B1344.i ], [ %.13.i25, %B22.preheader.i117 ]
   %.160.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.2.0.i119
-  %.161.i = load i64, ptr %.160.i, align 8, !noalias !221
+  %.161.i = load i64, ptr %.160.i, align 8, !noalias !224
   %.165.not.i = icmp sgt i64 %.161.i, %start.2.0.i120
   br i1 %.165.not.i, label %B112.i124, label %B62.i121
 
@@ -11910,14 +11910,14 @@ B62.i121:                                         ; preds = %B22.i118, %B62.i121
   %.168.i = add i64 %cell.4.1.i122, 1
   %sunkaddr20 = shl i64 %.168.i, 3
   %sunkaddr21 = getelementptr i8, ptr %arg.carrier.3.4, i64 %sunkaddr20
-  %.181.i = load i64, ptr %sunkaddr21, align 8, !noalias !221
+  %.181.i = load i64, ptr %sunkaddr21, align 8, !noalias !224
   %.183.not.i = icmp sgt i64 %.181.i, %start.2.0.i120
   br i1 %.183.not.i, label %B112.i124, label %B62.i121
 
 B112.i124:                                        ; preds = %B62.i121, %B22.i118
   %cell.3.2.i125 = phi i64 [ %cell.2.0.i119, %B22.i118 ], [ %.168.i, %B62.i121 ]
   %.195.i = getelementptr inbounds i64, ptr %arg.carrier.3.4, i64 %cell.3.2.i125
-  %.196.i = load i64, ptr %.195.i, align 8, !noalias !221
+  %.196.i = load i64, ptr %.195.i, align 8, !noalias !224
   %.13.i.i126 = tail call i64 @llvm.smin.i64(i64 %.13.i27, i64 %.196.i)
   %.529.i = sub i64 %.13.i.i126, %start.2.0.i120
   %19 = add i64 %.529.i, 7
@@ -11935,40 +11935,40 @@ B808.if.lr.ph.i:                                  ; preds = %B112.i124
   %.261.i = shl nsw i64 %cell.3.2.i125, 3
   %20 = getelementptr double, ptr %arg.fitted.1.4, i64 %.261.i
   %.478.i = getelementptr i8, ptr %20, i64 48
-  %.479.i = load double, ptr %.478.i, align 8, !noalias !221
+  %.479.i = load double, ptr %.478.i, align 8, !noalias !224
   %.311.i = or disjoint i64 %.261.i, 5
   %.468.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.311.i
-  %.469.i = load double, ptr %.468.i, align 8, !noalias !221
+  %.469.i = load double, ptr %.468.i, align 8, !noalias !224
   %.301.i = or disjoint i64 %.261.i, 4
   %.458.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.301.i
-  %.459.i = load double, ptr %.458.i, align 8, !noalias !221
+  %.459.i = load double, ptr %.458.i, align 8, !noalias !224
   %.291.i = or disjoint i64 %.261.i, 3
   %.412.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.291.i
-  %.413.i = load double, ptr %.412.i, align 8, !noalias !221
+  %.413.i = load double, ptr %.412.i, align 8, !noalias !224
   %.281.i = or disjoint i64 %.261.i, 2
   %.402.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.281.i
-  %.403.i = load double, ptr %.402.i, align 8, !noalias !221
+  %.403.i = load double, ptr %.402.i, align 8, !noalias !224
   %.271.i = or disjoint i64 %.261.i, 1
   %.392.i = getelementptr inbounds double, ptr %arg.fitted.1.4, i64 %.271.i
-  %.393.i = load double, ptr %.392.i, align 8, !noalias !221
-  %.383.i = load double, ptr %20, align 8, !noalias !221
+  %.393.i = load double, ptr %.392.i, align 8, !noalias !224
+  %.383.i = load double, ptr %20, align 8, !noalias !224
   %.319.i127 = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.311.i
-  %.320.i = load double, ptr %.319.i127, align 8, !noalias !221
+  %.320.i = load double, ptr %.319.i127, align 8, !noalias !224
   %.309.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.301.i
-  %.310.i = load double, ptr %.309.i, align 8, !noalias !221
+  %.310.i = load double, ptr %.309.i, align 8, !noalias !224
   %.299.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.291.i
-  %.300.i = load double, ptr %.299.i, align 8, !noalias !221
+  %.300.i = load double, ptr %.299.i, align 8, !noalias !224
   %.289.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.281.i
-  %.290.i = load double, ptr %.289.i, align 8, !noalias !221
+  %.290.i = load double, ptr %.289.i, align 8, !noalias !224
   %.279.i128 = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.271.i
-  %.280.i = load double, ptr %.279.i128, align 8, !noalias !221
+  %.280.i = load double, ptr %.279.i128, align 8, !noalias !224
   %.269.i = getelementptr inbounds double, ptr %arg.fitted.0.4, i64 %.261.i
-  %.270.i = load double, ptr %.269.i, align 8, !noalias !221
+  %.270.i = load double, ptr %.269.i, align 8, !noalias !224
   %.251.i = getelementptr inbounds double, ptr %.2928, i64 %cell.3.2.i125
-  %.252.i = load double, ptr %.251.i, align 8, !noalias !221
+  %.252.i = load double, ptr %.251.i, align 8, !noalias !224
   %.253.i = fsub contract double 0.000000e+00, %.252.i
   %.239.i = getelementptr inbounds double, ptr %.2798, i64 %cell.3.2.i125
-  %.240.i = load double, ptr %.239.i, align 8, !noalias !221
+  %.240.i = load double, ptr %.239.i, align 8, !noalias !224
   %.242.i = fmul contract double %.405, %.240.i
   %.623.i = insertelement <8 x double> poison, double %.242.i, i64 0
   %.624.i = shufflevector <8 x double> %.623.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -12008,7 +12008,7 @@ B808.if.i:                                        ; preds = %B808.if.i, %B808.if
   %lsr.iv4 = phi i64 [ %lsr.iv.next5, %B808.if.i ], [ %22, %B808.if.lr.ph.i ]
   %lsr.iv5.i = phi i64 [ %lsr.iv.next6.i, %B808.if.i ], [ %21, %B808.if.lr.ph.i ]
   %scevgep10.i131 = getelementptr i8, ptr %arg.grid.4, i64 %lsr.iv5.i
-  %.620.i = load <8 x double>, ptr %scevgep10.i131, align 8, !noalias !221
+  %.620.i = load <8 x double>, ptr %scevgep10.i131, align 8, !noalias !224
   %.627.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.620.i, <8 x double> %.624.i, <8 x double> %.626.i)
   %.636.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.632.i, <8 x double> %.635.i)
   %.640.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.636.i, <8 x double> %.639.i)
@@ -12016,7 +12016,7 @@ B808.if.i:                                        ; preds = %B808.if.i, %B808.if
   %.648.i132 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.644.i, <8 x double> %.647.i129)
   %.652.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.648.i132, <8 x double> %.651.i)
   %scevgep9.i = getelementptr i8, ptr %scevgep8.i, i64 %lsr.iv5.i
-  store <8 x double> %.652.i, ptr %scevgep9.i, align 8, !noalias !221
+  store <8 x double> %.652.i, ptr %scevgep9.i, align 8, !noalias !224
   %.669.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.665.i, <8 x double> %.668.i)
   %.673.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.669.i, <8 x double> %.672.i)
   %.677.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.673.i, <8 x double> %.676.i)
@@ -12024,7 +12024,7 @@ B808.if.i:                                        ; preds = %B808.if.i, %B808.if
   %.687.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.683.i, <8 x double> %.686.i)
   %.691.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.627.i, <8 x double> %.687.i, <8 x double> %.690.i)
   %scevgep7.i133 = getelementptr i8, ptr %scevgep4.i, i64 %lsr.iv5.i
-  store <8 x double> %.691.i, ptr %scevgep7.i133, align 8, !noalias !221
+  store <8 x double> %.691.i, ptr %scevgep7.i133, align 8, !noalias !224
   %lsr.iv.next6.i = add i64 %lsr.iv5.i, 64
   %lsr.iv.next5 = add nsw i64 %lsr.iv4, -1
   %.573.i = icmp sgt i64 %lsr.iv4, 8
@@ -12073,7 +12073,7 @@ entry:
   %.167 = getelementptr i8, ptr %arg.arguments.4, i64 112
   %.168 = load i64, ptr %.167, align 8
   %.169 = icmp eq i64 %.168, 1
-  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !224
+  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !227
   %.98.i = mul nsw i64 %.65.i, %.95
   br i1 %.169, label %B172, label %B356
 
@@ -12180,7 +12180,7 @@ B78148:                                           ; preds = %B20
   br i1 %1, label %B78220, label %B78222
 
 B78220:                                           ; preds = %B78148
-  store <16 x float> %.235, ptr %sunkaddr6, align 64, !nontemporal !138
+  store <16 x float> %.235, ptr %sunkaddr6, align 64, !nontemporal !141
   br label %B78260
 
 B78222:                                           ; preds = %B78148
@@ -12219,7 +12219,7 @@ B78276.if.prol:                                   ; preds = %B78276.if.prol, %B7
   store float 0.000000e+00, ptr %scevgep16, align 4
   %lsr.iv.next18 = add nsw i64 %lsr.iv17, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next18, 0
-  br i1 %prol.iter.cmp.not, label %B78276.if.prol.loopexit.loopexit, label %B78276.if.prol, !llvm.loop !225
+  br i1 %prol.iter.cmp.not, label %B78276.if.prol.loopexit.loopexit, label %B78276.if.prol, !llvm.loop !228
 
 B78276.if.prol.loopexit.loopexit:                 ; preds = %B78276.if.prol
   %8 = sub i64 %arg.out.5.0, %.655.prol
@@ -12425,7 +12425,7 @@ B78345:                                           ; preds = %B20
   br i1 %1, label %B78417, label %B78419
 
 B78417:                                           ; preds = %B78345
-  store <16 x double> %.466, ptr %sunkaddr15, align 64, !nontemporal !138
+  store <16 x double> %.466, ptr %sunkaddr15, align 64, !nontemporal !141
   br label %B78457
 
 B78419:                                           ; preds = %B78345
@@ -12464,7 +12464,7 @@ B78473.if.prol:                                   ; preds = %B78473.if.prol, %B7
   store double 0.000000e+00, ptr %scevgep16, align 8
   %lsr.iv.next18 = add nsw i64 %lsr.iv17, -1
   %prol.iter.cmp.not = icmp eq i64 %lsr.iv.next18, 0
-  br i1 %prol.iter.cmp.not, label %B78473.if.prol.loopexit.loopexit, label %B78473.if.prol, !llvm.loop !226
+  br i1 %prol.iter.cmp.not, label %B78473.if.prol.loopexit.loopexit, label %B78473.if.prol, !llvm.loop !229
 
 B78473.if.prol.loopexit.loopexit:                 ; preds = %B78473.if.prol
   %7 = sub i64 %arg.out.5.0, %.649.prol
@@ -12632,7 +12632,7 @@ entry:
   %.243 = getelementptr i8, ptr %arg.arguments.4, i64 128
   %.244 = load i64, ptr %.243, align 8
   %.249 = add nsw i64 %.213, %.244
-  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !227
+  %.65.i = load i64, ptr %arg.arguments.4, align 8, !noalias !230
   %.98.i = shl i64 %.65.i, %0
   %.100.i = mul i64 %.98.i, %.125
   %.120.i = icmp slt i64 %.100.i, 2097152
@@ -12711,17 +12711,17 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !13 = distinct !{!13, !"_ZN17bnserve_surrogate12_coordinates19transform_symmetricB3v46B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi1E1C7mutable7alignedE"}
 !14 = !{!12}
 !15 = !{!16}
-!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!17 = distinct !{!17, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !18 = !{!19}
-!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!20 = distinct !{!20, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !21 = !{!22}
-!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v531B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v531B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v533B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!23 = distinct !{!23, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v533B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !24 = !{!25}
-!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !27 = !{!28}
 !28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !29 = distinct !{!29, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
@@ -12729,20 +12729,20 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !32 = distinct !{!32, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !33 = !{!34}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!35 = distinct !{!35, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !36 = !{!37}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v530B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v532B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !39 = !{!40}
-!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v359B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v359B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!41 = distinct !{!41, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !42 = !{!43}
-!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v531B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v531B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v533B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!44 = distinct !{!44, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v533B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !45 = !{!46}
-!46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v363B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!47 = distinct !{!47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v363B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!47 = distinct !{!47, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !48 = !{!"branch_weights", i32 146201250, i32 2001282398}
 !49 = !{!"branch_weights", i32 166258294, i32 1981225354}
 !50 = !{!"branch_weights", i32 1030503492, i32 1116980156}
@@ -12773,26 +12773,26 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !75 = distinct !{!75, !76, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v84B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
 !76 = distinct !{!76, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v84B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !77 = !{!78}
-!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!78 = distinct !{!78, !79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!79 = distinct !{!79, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !80 = !{!81}
-!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
-!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v233B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
+!81 = distinct !{!81, !82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx: %retptr"}
+!82 = distinct !{!82, !"_ZN17bnserve_surrogate6kernel7_places15first_not_belowB4v235B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdx"}
 !83 = !{!84}
-!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!85 = distinct !{!85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!84 = distinct !{!84, !85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!85 = distinct !{!85, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !86 = !{!87}
-!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!88 = distinct !{!88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!87 = distinct !{!87, !88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!88 = distinct !{!88, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !89 = !{!90}
-!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!91 = distinct !{!91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v234B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!91 = distinct !{!91, !"_ZN17bnserve_surrogate6kernel7_points15spline_at_nodesB4v236B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !92 = !{!93}
-!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!94 = distinct !{!94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!93 = distinct !{!93, !94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!94 = distinct !{!94, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !95 = !{!96}
-!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!97 = distinct !{!97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v241B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!96 = distinct !{!96, !97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!97 = distinct !{!97, !"_ZN17bnserve_surrogate6kernel7_points16fill_polynomialsB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !98 = !{!99}
 !99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
@@ -12809,119 +12809,122 @@ attributes #8 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v189B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
 !112 = distinct !{!112, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v189B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !113 = !{!114, !102}
-!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!115 = distinct !{!115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!115 = distinct !{!115, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !116 = !{!117, !102}
-!117 = distinct !{!117, !118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!118 = distinct !{!118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v191B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!117 = distinct !{!117, !118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!118 = distinct !{!118, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !119 = !{!120, !102}
-!120 = distinct !{!120, !121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!121 = distinct !{!121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v192B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!120 = distinct !{!120, !121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!121 = distinct !{!121, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !122 = !{!123, !102}
-!123 = distinct !{!123, !124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!124 = distinct !{!124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!123 = distinct !{!123, !124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!124 = distinct !{!124, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !125 = !{!126, !102}
-!126 = distinct !{!126, !127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!127 = distinct !{!127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!126 = distinct !{!126, !127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!127 = distinct !{!127, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !128 = !{!129, !131}
-!129 = distinct !{!129, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!130 = distinct !{!130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!131 = distinct !{!131, !130, !"_ZN17bnserve_surrogate6kernel7_series9_legendreB4v194B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!129 = distinct !{!129, !130, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!130 = distinct !{!130, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!131 = distinct !{!131, !130, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
 !132 = !{!133}
-!133 = distinct !{!133, !134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v540B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
-!134 = distinct !{!134, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v540B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
+!133 = distinct !{!133, !134, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!134 = distinct !{!134, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !135 = !{!136}
-!136 = distinct !{!136, !137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v546B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
-!137 = distinct !{!137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v546B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
-!138 = !{i32 1}
-!139 = distinct !{!139, !55}
-!140 = distinct !{!140, !55}
-!141 = distinct !{!141, !55}
+!136 = distinct !{!136, !137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v542B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29: %retptr"}
+!137 = distinct !{!137, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v542B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb23Literal_5bint_5d_288_29"}
+!138 = !{!139}
+!139 = distinct !{!139, !140, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v548B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29: %retptr"}
+!140 = distinct !{!140, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v548B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExxb24Literal_5bint_5d_2816_29"}
+!141 = !{i32 1}
 !142 = distinct !{!142, !55}
-!143 = !{!144}
-!144 = distinct !{!144, !145, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v212B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!145 = distinct !{!145, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v212B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!143 = distinct !{!143, !55}
+!144 = distinct !{!144, !55}
+!145 = distinct !{!145, !55}
 !146 = !{!147}
-!147 = distinct !{!147, !148, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v243B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!148 = distinct !{!148, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v243B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!147 = distinct !{!147, !148, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v214B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!148 = distinct !{!148, !"_ZN17bnserve_surrogate6kernel5modes9_carriers12cells_neededB4v214B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE8UniTupleIdLi2EE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !149 = !{!150}
-!150 = distinct !{!150, !151, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!151 = distinct !{!151, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!150 = distinct !{!150, !151, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v245B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!151 = distinct !{!151, !"_ZN17bnserve_surrogate6kernel5modes9_carriers11top_of_bandB4v245B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !152 = !{!153}
 !153 = distinct !{!153, !154, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !154 = distinct !{!154, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
-!155 = !{!"branch_weights", i32 101, i32 99}
-!156 = !{!157}
-!157 = distinct !{!157, !158, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v364B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
-!158 = distinct !{!158, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v364B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!155 = !{!156}
+!156 = distinct !{!156, !157, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!157 = distinct !{!157, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!158 = !{!"branch_weights", i32 101, i32 99}
 !159 = !{!160}
-!160 = distinct !{!160, !161, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!161 = distinct !{!161, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!160 = distinct !{!160, !161, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v366B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!161 = distinct !{!161, !"_ZN17bnserve_surrogate6kernel5modes5_sums11add_carrierB4v366B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
 !162 = !{!163}
-!163 = distinct !{!163, !164, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v371B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
-!164 = distinct !{!164, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v371B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
-!165 = distinct !{!165, !55}
-!166 = !{!167}
-!167 = distinct !{!167, !168, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!168 = distinct !{!168, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!169 = distinct !{!169, !55}
-!170 = !{!171, !160}
-!171 = distinct !{!171, !172, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!172 = distinct !{!172, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!173 = distinct !{!173, !55}
-!174 = !{!175, !167}
-!175 = distinct !{!175, !176, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!176 = distinct !{!176, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!177 = !{!178}
-!178 = distinct !{!178, !179, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
-!179 = distinct !{!179, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
-!180 = distinct !{!180, !55}
-!181 = distinct !{!181, !55}
-!182 = !{!183}
-!183 = distinct !{!183, !184, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!184 = distinct !{!184, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v368B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!163 = distinct !{!163, !164, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v370B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!164 = distinct !{!164, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v370B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!165 = !{!166}
+!166 = distinct !{!166, !167, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v373B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!167 = distinct !{!167, !"_ZN17bnserve_surrogate6kernel5modes5_sums8add_modeB4v373B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!168 = distinct !{!168, !55}
+!169 = !{!170}
+!170 = distinct !{!170, !171, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v370B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!171 = distinct !{!171, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v370B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!172 = distinct !{!172, !55}
+!173 = !{!174, !163}
+!174 = distinct !{!174, !175, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!175 = distinct !{!175, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!176 = distinct !{!176, !55}
+!177 = !{!178, !170}
+!178 = distinct !{!178, !179, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!179 = distinct !{!179, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!180 = !{!181}
+!181 = distinct !{!181, !182, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v378B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE: %retptr"}
+!182 = distinct !{!182, !"_ZN17bnserve_surrogate6kernel5modes5_sums13add_two_modesB4v378B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExbd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE8UniTupleIxLi2EE8UniTupleIdLi2EE8UniTupleIdLi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi4EE"}
+!183 = distinct !{!183, !55}
+!184 = distinct !{!184, !55}
 !185 = !{!186}
-!186 = distinct !{!186, !187, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v443B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!187 = distinct !{!187, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v443B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!188 = distinct !{!188, !55}
-!189 = !{!190, !183}
-!190 = distinct !{!190, !191, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!191 = distinct !{!191, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!192 = distinct !{!192, !55}
-!193 = distinct !{!193, !55}
-!194 = !{!195}
-!195 = distinct !{!195, !196, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE: %retptr"}
-!196 = distinct !{!196, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE"}
+!186 = distinct !{!186, !187, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v370B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!187 = distinct !{!187, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v370B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!188 = !{!189}
+!189 = distinct !{!189, !190, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v445B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!190 = distinct !{!190, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v445B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!191 = distinct !{!191, !55}
+!192 = !{!193, !186}
+!193 = distinct !{!193, !194, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!194 = distinct !{!194, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!195 = distinct !{!195, !55}
+!196 = distinct !{!196, !55}
 !197 = !{!198}
-!198 = distinct !{!198, !199, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!199 = distinct !{!199, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!198 = distinct !{!198, !199, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v453B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE: %retptr"}
+!199 = distinct !{!199, !"_ZN17bnserve_surrogate6kernel5modes5_sums13multiply_modeB4v453B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5TupleIddxE"}
 !200 = !{!201}
-!201 = distinct !{!201, !202, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!202 = distinct !{!202, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!201 = distinct !{!201, !202, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!202 = distinct !{!202, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !203 = !{!204}
-!204 = distinct !{!204, !205, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!205 = distinct !{!205, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!204 = distinct !{!204, !205, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!205 = distinct !{!205, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !206 = !{!207}
-!207 = distinct !{!207, !208, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!208 = distinct !{!208, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!207 = distinct !{!207, !208, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!208 = distinct !{!208, !"_ZN17bnserve_surrogate6kernel7_places15find_ends_apartB4v197B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !209 = !{!210}
 !210 = distinct !{!210, !211, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !211 = distinct !{!211, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !212 = !{!213}
-!213 = distinct !{!213, !214, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!214 = distinct !{!214, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!213 = distinct !{!213, !214, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!214 = distinct !{!214, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v158B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !215 = !{!216}
-!216 = distinct !{!216, !217, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v359B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!217 = distinct !{!217, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v359B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!216 = distinct !{!216, !217, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!217 = distinct !{!217, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !218 = !{!219}
-!219 = distinct !{!219, !220, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!220 = distinct !{!220, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v362B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!219 = distinct !{!219, !220, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!220 = distinct !{!220, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v361B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !221 = !{!222}
-!222 = distinct !{!222, !223, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v363B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!223 = distinct !{!223, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v363B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!224 = !{}
-!225 = distinct !{!225, !55}
-!226 = distinct !{!226, !55}
-!227 = !{!228}
-!228 = distinct !{!228, !229, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v388B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x: %retptr"}
-!229 = distinct !{!229, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v388B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x"}
+!222 = distinct !{!222, !223, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!223 = distinct !{!223, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v364B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!224 = !{!225}
+!225 = distinct !{!225, !226, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!226 = distinct !{!226, !"_ZN17bnserve_surrogate6kernel7_points11polynomialsB4v365B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!227 = !{}
+!228 = distinct !{!228, !55}
+!229 = distinct !{!229, !55}
+!230 = !{!231}
+!231 = distinct !{!231, !232, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v390B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x: %retptr"}
+!232 = distinct !{!232, !"_ZN17bnserve_surrogate6kernel8_writing13streamed_fromB4v390B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIxLi1E1C7mutable7alignedExx27Literal_5bbool_5d_28True_29x"}

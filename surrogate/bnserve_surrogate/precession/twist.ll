@@ -1,4 +1,4 @@
-; sources: f37ef641eb1bcb0e1a26f102aeaf601ed75d2351fd89d25251fc407992a08fb4
+; sources: b8cddd1d3c2a58cfacc1a065e4524c502cd8637c9e39e529e0af4aef1961cfb0
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -272,7 +272,7 @@ B642.if.preheader.i:                              ; preds = %entry
   %.160.i.i.i = getelementptr i8, ptr %arg.arguments, i64 48
   br label %B642.if.i
 
-B1342.i:                                          ; preds = %_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %_ZN17bnserve_surrogate10precession9_dynamics6followB3v87B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
+B1342.i:                                          ; preds = %_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %_ZN17bnserve_surrogate10precession9_dynamics6followB3v88B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
   %.733.i = icmp sgt i64 %.732765800.i, 1
   br i1 %.733.i, label %B642.if.i, label %_ZN17bnserve_surrogate10precession7_source5twistB2v3B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE.exit
 
@@ -356,19 +356,19 @@ B348.if.i.i:                                      ; preds = %B348.if.i.i, %B642.
   %21 = or i1 %.15.le.i.i.i.i.i, %.17.le.i.i.i.i.i
   %22 = tail call contract double @llvm.log.f64(double %.278.i.i.i.i)
   %.31.le.i.i.i.i.i = select i1 %21, double %22, double 0.000000e+00
-  %.36.i.i.i.i.i = fmul contract double %.31.le.i.i.i.i.i, 1.230000e-04
-  %.37.i.i.i.i.i = fadd contract double %.36.i.i.i.i.i, -4.210000e-03
-  %.38.i.i.i.i.i = fmul contract double %.31.le.i.i.i.i.i, %.37.i.i.i.i.i
-  %.39.i.i.i.i.i = fadd contract double %.38.i.i.i.i.i, 4.740000e-02
-  %.40.i.i.i.i.i = fmul contract double %.31.le.i.i.i.i.i, %.39.i.i.i.i.i
-  %.41.i.i.i.i.i = fadd contract double %.40.i.i.i.i.i, 9.360000e-02
-  %.42.i.i.i.i.i = fmul contract double %.31.le.i.i.i.i.i, %.41.i.i.i.i.i
-  %.43.i.i.i.i.i = fadd contract double %.42.i.i.i.i.i, 1.940000e-01
-  %.44.i.i.i.i.i = fcmp contract ogt double %.278.i.i.i.i, 1.000000e+00
-  %.46.i.i.i.i.i = uitofp i1 %.44.i.i.i.i.i to double
-  %.47.i.i.i.i.i = fmul contract double %.43.i.i.i.i.i, %.46.i.i.i.i.i
-  %.55.le.i.i.i.i.i = tail call contract double @llvm.exp.f64(double %.47.i.i.i.i.i)
-  %.305.i.i.i.i = fmul contract double %.87.i.i.i, %.55.le.i.i.i.i.i
+  %.5.i.i.i.i.i.i = fmul contract double %.31.le.i.i.i.i.i, 1.230000e-04
+  %.6.i.i.i.i.i.i = fadd contract double %.5.i.i.i.i.i.i, -4.210000e-03
+  %.7.i.i.i.i.i.i = fmul contract double %.31.le.i.i.i.i.i, %.6.i.i.i.i.i.i
+  %.8.i.i.i.i.i.i = fadd contract double %.7.i.i.i.i.i.i, 4.740000e-02
+  %.9.i.i.i.i.i.i = fmul contract double %.31.le.i.i.i.i.i, %.8.i.i.i.i.i.i
+  %.10.i.i.i.i.i.i = fadd contract double %.9.i.i.i.i.i.i, 9.360000e-02
+  %.11.i.i.i.i.i.i = fmul contract double %.31.le.i.i.i.i.i, %.10.i.i.i.i.i.i
+  %.12.i.i.i.i.i.i = fadd contract double %.11.i.i.i.i.i.i, 1.940000e-01
+  %.62.i.i.i.i.i = fcmp contract ogt double %.278.i.i.i.i, 1.000000e+00
+  %.64.i.i.i.i.i = uitofp i1 %.62.i.i.i.i.i to double
+  %.65.i.i.i.i.i = fmul contract double %.12.i.i.i.i.i.i, %.64.i.i.i.i.i
+  %.73.le.i.i.i.i.i = tail call contract double @llvm.exp.f64(double %.65.i.i.i.i.i)
+  %.305.i.i.i.i = fmul contract double %.87.i.i.i, %.73.le.i.i.i.i.i
   %.309.i.i.i.i = fdiv contract double %.305.i.i.i.i, %.86.i.i.i
   %.338.i.i.i.i = getelementptr i8, ptr %scevgep148.i.i, i64 384
   store double %.309.i.i.i.i, ptr %.338.i.i.i.i, align 8, !noalias !9
@@ -379,19 +379,19 @@ B348.if.i.i:                                      ; preds = %B348.if.i.i, %B642.
   %23 = or i1 %.15.le.i1.i.i.i.i, %.17.le.i2.i.i.i.i
   %24 = tail call contract double @llvm.log.f64(double %.368.i.i.i.i)
   %.31.le.i3.i.i.i.i = select i1 %23, double %24, double 0.000000e+00
-  %.36.i4.i.i.i.i = fmul contract double %.31.le.i3.i.i.i.i, 1.230000e-04
-  %.37.i5.i.i.i.i = fadd contract double %.36.i4.i.i.i.i, -4.210000e-03
-  %.38.i6.i.i.i.i = fmul contract double %.31.le.i3.i.i.i.i, %.37.i5.i.i.i.i
-  %.39.i7.i.i.i.i = fadd contract double %.38.i6.i.i.i.i, 4.740000e-02
-  %.40.i8.i.i.i.i = fmul contract double %.31.le.i3.i.i.i.i, %.39.i7.i.i.i.i
-  %.41.i9.i.i.i.i = fadd contract double %.40.i8.i.i.i.i, 9.360000e-02
-  %.42.i10.i.i.i.i = fmul contract double %.31.le.i3.i.i.i.i, %.41.i9.i.i.i.i
-  %.43.i11.i.i.i.i = fadd contract double %.42.i10.i.i.i.i, 1.940000e-01
-  %.44.i12.i.i.i.i = fcmp contract ogt double %.368.i.i.i.i, 1.000000e+00
-  %.46.i13.i.i.i.i = uitofp i1 %.44.i12.i.i.i.i to double
-  %.47.i14.i.i.i.i = fmul contract double %.43.i11.i.i.i.i, %.46.i13.i.i.i.i
-  %.55.le.i15.i.i.i.i = tail call contract double @llvm.exp.f64(double %.47.i14.i.i.i.i)
-  %.396.i.i.i.i = fmul contract double %.86.i.i.i, %.55.le.i15.i.i.i.i
+  %.5.i.i4.i.i.i.i = fmul contract double %.31.le.i3.i.i.i.i, 1.230000e-04
+  %.6.i.i5.i.i.i.i = fadd contract double %.5.i.i4.i.i.i.i, -4.210000e-03
+  %.7.i.i6.i.i.i.i = fmul contract double %.31.le.i3.i.i.i.i, %.6.i.i5.i.i.i.i
+  %.8.i.i7.i.i.i.i = fadd contract double %.7.i.i6.i.i.i.i, 4.740000e-02
+  %.9.i.i8.i.i.i.i = fmul contract double %.31.le.i3.i.i.i.i, %.8.i.i7.i.i.i.i
+  %.10.i.i9.i.i.i.i = fadd contract double %.9.i.i8.i.i.i.i, 9.360000e-02
+  %.11.i.i10.i.i.i.i = fmul contract double %.31.le.i3.i.i.i.i, %.10.i.i9.i.i.i.i
+  %.12.i.i11.i.i.i.i = fadd contract double %.11.i.i10.i.i.i.i, 1.940000e-01
+  %.62.i12.i.i.i.i = fcmp contract ogt double %.368.i.i.i.i, 1.000000e+00
+  %.64.i13.i.i.i.i = uitofp i1 %.62.i12.i.i.i.i to double
+  %.65.i14.i.i.i.i = fmul contract double %.12.i.i11.i.i.i.i, %.64.i13.i.i.i.i
+  %.73.le.i15.i.i.i.i = tail call contract double @llvm.exp.f64(double %.65.i14.i.i.i.i)
+  %.396.i.i.i.i = fmul contract double %.86.i.i.i, %.73.le.i15.i.i.i.i
   %.400.i.i.i.i = fdiv contract double %.396.i.i.i.i, %.87.i.i.i
   %.429.i.i.i.i = getelementptr i8, ptr %scevgep148.i.i, i64 640
   store double %.400.i.i.i.i, ptr %.429.i.i.i.i, align 8, !noalias !9
@@ -1047,7 +1047,7 @@ _ZN17bnserve_surrogate10precession7_source8_prepareB3v15B86c8tJTIeFIjxB2IKSgI4Cr
   %.1346.3.i.i = getelementptr i8, ptr %44, i64 448
   store <8 x double> %.1338.3.i.i, ptr %.1346.3.i.i, align 8, !noalias !21
   %.145967.not.i.i = icmp slt i64 %.13.i116.i.i, 1
-  br i1 %.145967.not.i.i, label %_ZN17bnserve_surrogate10precession9_dynamics6followB3v35B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i, label %B986.if.lr.ph.i.i
+  br i1 %.145967.not.i.i, label %_ZN17bnserve_surrogate10precession9_dynamics6followB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i, label %B986.if.lr.ph.i.i
 
 B4545.i.i:                                        ; preds = %B4482.if.i.i
   store ptr null, ptr %.2357.i.i, align 8, !noalias !21
@@ -1101,7 +1101,7 @@ B5516.i.i:                                        ; preds = %B5417.if.i.i
   %.1468.i.i = sext i1 %.1459.i.i to i64
   %.14582156.i.i = add nsw i64 %.1458215673.i.i, %.1468.i.i
   %.1449.sroa.0.0.i.i = select i1 %.1459.i.i, i64 %.1465217072.i.i, i64 0
-  br i1 %.1459.i.i, label %B986.if.i.i, label %_ZN17bnserve_surrogate10precession9_dynamics6followB3v35B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
+  br i1 %.1459.i.i, label %B986.if.i.i, label %_ZN17bnserve_surrogate10precession9_dynamics6followB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
 
 B986.if.lr.ph.i.i:                                ; preds = %_ZN17bnserve_surrogate10precession7_source8_prepareB3v15B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %.1458215670.i.i = add nsw i64 %.13.i116.i.i, -1
@@ -1539,7 +1539,7 @@ B5417.if.i.i:                                     ; preds = %B5417.if.i.i, %B529
   %.3512.i.i = icmp samesign ugt i64 %lsr.iv21.i.i, 4
   br i1 %.3512.i.i, label %B5417.if.i.i, label %B5516.i.i
 
-_ZN17bnserve_surrogate10precession9_dynamics6followB3v35B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i: ; preds = %B5516.i.i, %_ZN17bnserve_surrogate10precession7_source8_prepareB3v15B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+_ZN17bnserve_surrogate10precession9_dynamics6followB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i: ; preds = %B5516.i.i, %_ZN17bnserve_surrogate10precession7_source8_prepareB3v15B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.1111.i.i), !noalias !0
   call void @llvm.lifetime.end.p0(ptr nonnull %.2357.i.i), !noalias !0
   call void @llvm.lifetime.end.p0(ptr nonnull %.2832.i.i), !noalias !0
@@ -1898,7 +1898,7 @@ _ZN17bnserve_surrogate10precession9_dynamics6followB3v35B86c8tJTIeFIjxB2IKSgI4Cr
   store <8 x double> %.1338.3.i445.i, ptr %.1346.3.i.i, align 8, !noalias !33
   %.3643.i.i = add nuw i64 %.13.i74.i.i, 1
   %.145967.not.i447.i = icmp slt i64 %.13.i116.i283.i, 1
-  br i1 %.145967.not.i447.i, label %_ZN17bnserve_surrogate10precession9_dynamics6followB3v87B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i, label %B986.if.lr.ph.i448.i
+  br i1 %.145967.not.i447.i, label %_ZN17bnserve_surrogate10precession9_dynamics6followB3v88B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i, label %B986.if.lr.ph.i448.i
 
 B13869.i.i:                                       ; preds = %B13806.if.i.i
   store ptr null, ptr %.2357.i17.i, align 8, !noalias !33
@@ -1951,9 +1951,9 @@ B14840.i.i:                                       ; preds = %B14741.if.i.i
   %.1468.i846.i = sext i1 %.1459.i843.i to i64
   %.14582156.i847.i = add nsw i64 %.1458215673.i460.i, %.1468.i846.i
   %.1449.sroa.0.0.i848.i = select i1 %.1459.i843.i, i64 %.1465217072.i461.i, i64 0
-  br i1 %.1459.i843.i, label %B986.if.i458.i, label %_ZN17bnserve_surrogate10precession9_dynamics6followB3v87B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
+  br i1 %.1459.i843.i, label %B986.if.i458.i, label %_ZN17bnserve_surrogate10precession9_dynamics6followB3v88B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
 
-B986.if.lr.ph.i448.i:                             ; preds = %_ZN17bnserve_surrogate10precession9_dynamics6followB3v35B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
+B986.if.lr.ph.i448.i:                             ; preds = %_ZN17bnserve_surrogate10precession9_dynamics6followB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
   %.1458215670.i449.i = add nsw i64 %.13.i116.i283.i, -1
   br label %B986.if.i458.i
 
@@ -2389,7 +2389,7 @@ B14741.if.i.i:                                    ; preds = %B14741.if.i.i, %B14
   %.3512.i825.i = icmp samesign ugt i64 %lsr.iv21.i816.i, 4
   br i1 %.3512.i825.i, label %B14741.if.i.i, label %B14840.i.i
 
-_ZN17bnserve_surrogate10precession9_dynamics6followB3v87B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i: ; preds = %B14840.i.i, %_ZN17bnserve_surrogate10precession9_dynamics6followB3v35B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
+_ZN17bnserve_surrogate10precession9_dynamics6followB3v88B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i: ; preds = %B14840.i.i, %_ZN17bnserve_surrogate10precession9_dynamics6followB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.1111.i15.i), !noalias !0
   call void @llvm.lifetime.end.p0(ptr nonnull %.2357.i17.i), !noalias !0
   call void @llvm.lifetime.end.p0(ptr nonnull %.2832.i19.i), !noalias !0
@@ -2404,18 +2404,18 @@ _ZN17bnserve_surrogate10precession9_dynamics6followB3v87B86c8tJTIeFIjxB2IKSgI4Cr
   %.1090761.not.i = icmp slt i64 %.1047.i, 1
   br i1 %.1090761.not.i, label %B1342.i, label %B942.if.preheader.i
 
-B942.if.preheader.i:                              ; preds = %_ZN17bnserve_surrogate10precession9_dynamics6followB3v87B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
+B942.if.preheader.i:                              ; preds = %_ZN17bnserve_surrogate10precession9_dynamics6followB3v88B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx.exit.i
   %scevgep179.i = getelementptr i8, ptr %scevgep.i, i64 %.idx.i
   %scevgep195.i = getelementptr i8, ptr %.49.i, i64 %.idx.i11.i
   %96 = shl i64 %.13.i74.i.i, 6
   br label %B942.if.i
 
-B942.if.i:                                        ; preds = %_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B942.if.preheader.i
-  %lsr.iv229.i = phi i64 [ %96, %B942.if.preheader.i ], [ %lsr.iv.next230.i, %_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %lsr.iv226.i = phi ptr [ %44, %B942.if.preheader.i ], [ %scevgep227.i, %_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %lsr.iv.i = phi i64 [ 0, %B942.if.preheader.i ], [ %lsr.iv.next.i, %_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %.1089757763.i = phi i64 [ %.1047.i, %B942.if.preheader.i ], [ %.1099.i, %_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %.1096759762.i = phi i64 [ %.739772799.i, %B942.if.preheader.i ], [ %.1103.i, %_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+B942.if.i:                                        ; preds = %_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B942.if.preheader.i
+  %lsr.iv229.i = phi i64 [ %96, %B942.if.preheader.i ], [ %lsr.iv.next230.i, %_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %lsr.iv226.i = phi ptr [ %44, %B942.if.preheader.i ], [ %scevgep227.i, %_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %lsr.iv.i = phi i64 [ 0, %B942.if.preheader.i ], [ %lsr.iv.next.i, %_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %.1089757763.i = phi i64 [ %.1047.i, %B942.if.preheader.i ], [ %.1099.i, %_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %.1096759762.i = phi i64 [ %.739772799.i, %B942.if.preheader.i ], [ %.1103.i, %_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %.1099.i = add nsw i64 %.1089757763.i, -1
   %.1103.i = add i64 %.1096759762.i, 1
   %.1129.i = sub nsw i64 %.1096759762.i, %.739772799.i
@@ -2532,7 +2532,7 @@ B944.endif.i:                                     ; preds = %B34.if.i.i, %B942.i
   %.736.inv.i.i = icmp slt i64 %.88.i.i, 1
   %.778960.not973.i.i = icmp eq i64 %.757.i.i, 0
   %.778960.not.i.i = select i1 %.736.inv.i.i, i1 true, i1 %.778960.not973.i.i
-  br i1 %.778960.not.i.i, label %_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B606.if.lr.ph.i.i
+  br i1 %.778960.not.i.i, label %_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B606.if.lr.ph.i.i
 
 B606.loopexit.i.i:                                ; preds = %B1054.if.i.i, %B1024.i.i
   %scevgep121.i.i = getelementptr i8, ptr %lsr.iv.i853.i, i64 2048
@@ -2540,7 +2540,7 @@ B606.loopexit.i.i:                                ; preds = %B1054.if.i.i, %B102
   %scevgep20.i.i = getelementptr i8, ptr %lsr.iv19.i852.i, i64 4096
   %scevgep27.i.i = getelementptr i8, ptr %lsr.iv26.i.i, i64 4096
   %.778.i.i = icmp sgt i64 %.777930966.i.i, 1
-  br i1 %.778.i.i, label %B606.if.i.i, label %_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.778.i.i, label %B606.if.i.i, label %_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B782.preheader.i.i:                               ; preds = %B606.if.i.i
   %118 = add nsw i64 %.13.i.i854.i, 7
@@ -2553,8 +2553,8 @@ B782.preheader.i.i:                               ; preds = %B606.if.i.i
   %119 = add nuw nsw i64 %.487.i.i.i, 4
   br label %B782.i.i
 
-B782.i.i:                                         ; preds = %_ZN17bnserve_surrogate10precession7_source10_add_modesB4v138B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B782.preheader.i.i
-  %mode.2.1.i.i = phi i64 [ %last.3.2.i.i, %_ZN17bnserve_surrogate10precession7_source10_add_modesB4v138B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ 0, %B782.preheader.i.i ]
+B782.i.i:                                         ; preds = %_ZN17bnserve_surrogate10precession7_source10_add_modesB4v139B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B782.preheader.i.i
+  %mode.2.1.i.i = phi i64 [ %last.3.2.i.i, %_ZN17bnserve_surrogate10precession7_source10_add_modesB4v139B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ 0, %B782.preheader.i.i ]
   %.1085.i.i = add nsw i64 %mode.2.1.i.i, 1
   %.1095.i.i = icmp slt i64 %.1085.i.i, %.118.i.i
   br i1 %.1095.i.i, label %B804.i.i, label %B898.i.i
@@ -2689,7 +2689,7 @@ B298.if.i.i.i:                                    ; preds = %B298.if.i.i.i.prehe
   %exitcond.not.i.i.i = icmp eq i64 %smin44.i.i, %.511.i.i.i
   br i1 %exitcond.not.i.i.i, label %B898.endif.i.i, label %B298.if.i.i.i
 
-B1024.i.i:                                        ; preds = %_ZN17bnserve_surrogate10precession7_source10_add_modesB4v138B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B606.if.i.i
+B1024.i.i:                                        ; preds = %_ZN17bnserve_surrogate10precession7_source10_add_modesB4v139B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B606.if.i.i
   %.1489925.not.i.i = icmp slt i64 %.821.i.i, 1
   br i1 %.1489925.not.i.i, label %B606.loopexit.i.i, label %B1054.if.i.i
 
@@ -2750,7 +2750,7 @@ B898.endif.i.i:                                   ; preds = %B298.if.i.i.i, %B26
   %.128.i.i.i = load i64, ptr %.117.i.i, align 8, !noalias !54
   %.167.i.i.i = shl i64 %.99.i.i.i, 1
   %.373.i.i.i = shl nsw i64 %.128.i.i.i, 2
-  br i1 %.508303.not.i.i.i, label %_ZN17bnserve_surrogate10precession7_source10_add_modesB4v138B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B366.if.preheader.i.i.i
+  br i1 %.508303.not.i.i.i, label %_ZN17bnserve_surrogate10precession7_source10_add_modesB4v139B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B366.if.preheader.i.i.i
 
 B366.if.preheader.i.i.i:                          ; preds = %B898.endif.i.i
   %.255.i.i.i = load i64, ptr %.242.i.i, align 8, !noalias !54
@@ -2780,10 +2780,10 @@ B366.if.preheader.i.i.i:                          ; preds = %B898.endif.i.i
   %.2667.i.i.i.i = icmp sgt i64 %.333.i.i.i, 2
   br label %B366.if.i.i.i
 
-B366.if.i.i.i:                                    ; preds = %_ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, %B366.if.preheader.i.i.i
-  %lsr.iv7.i.i.i = phi i64 [ %lsr.iv.next8.i.i.i, %_ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ], [ %119, %B366.if.preheader.i.i.i ]
-  %lsr.iv43.i.i.i = phi i64 [ %lsr.iv.next44.i.i.i, %_ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ], [ %.13.i.i854.i, %B366.if.preheader.i.i.i ]
-  %.514302304.i.i.i = phi i64 [ %.521.i.i.i, %_ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ], [ 0, %B366.if.preheader.i.i.i ]
+B366.if.i.i.i:                                    ; preds = %_ZN17bnserve_surrogate10precession7_points7twistedB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, %B366.if.preheader.i.i.i
+  %lsr.iv7.i.i.i = phi i64 [ %lsr.iv.next8.i.i.i, %_ZN17bnserve_surrogate10precession7_points7twistedB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ], [ %119, %B366.if.preheader.i.i.i ]
+  %lsr.iv43.i.i.i = phi i64 [ %lsr.iv.next44.i.i.i, %_ZN17bnserve_surrogate10precession7_points7twistedB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ], [ %.13.i.i854.i, %B366.if.preheader.i.i.i ]
+  %.514302304.i.i.i = phi i64 [ %.521.i.i.i, %_ZN17bnserve_surrogate10precession7_points7twistedB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ], [ 0, %B366.if.preheader.i.i.i ]
   %146 = add i64 %.514302304.i.i.i, %.784934965.i.i
   %.96.i.i.i.i = getelementptr inbounds double, ptr %.319.i, i64 %.514302304.i.i.i
   %.98.i.i.i.i = load <8 x double>, ptr %.96.i.i.i.i, align 8, !noalias !57
@@ -2913,7 +2913,7 @@ B16033.i.i.i.i:                                   ; preds = %B998.i.i.i.i
   %.6.i45.i.i.i.i = fsub contract <8 x double> %.6.i43.i.i.i.i, %.6.i44.i.i.i.i
   %.6.i46.i.i.i.i = fmul contract <8 x double> %.98.i.i.i.i, %.1839.i.i.i.i
   %.2004.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i40.i.i.i.i, <8 x double> %.8.i42.i.i.i.i, <8 x double> %.6.i46.i.i.i.i)
-  br label %_ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i
+  br label %_ZN17bnserve_surrogate10precession7_points7twistedB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i
 
 B16225.i.i.i.i:                                   ; preds = %B998.i.i.i.i
   %.6.i7.i.i.i.i = fmul contract <8 x double> %.6.i24.i.i.i.i, %.6.i24.i.i.i.i
@@ -2942,22 +2942,22 @@ B16333.i.i.i.i:                                   ; preds = %B16225.i.i.i.i
   br label %B16377.i.i.i.i
 
 B16365.i.i.i.i:                                   ; preds = %B16225.i.i.i.i
-  br i1 %.2667.i.i.i.i, label %B16377.i.i.i.i, label %_ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i
+  br i1 %.2667.i.i.i.i, label %B16377.i.i.i.i, label %_ZN17bnserve_surrogate10precession7_points7twistedB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i
 
 B16377.i.i.i.i:                                   ; preds = %B16365.i.i.i.i, %B16333.i.i.i.i
-  %_monomials_v143_both.2.sroa.0.05.i.i.i.i = phi <8 x double> [ %.6.i59.i.i.i.i, %B16333.i.i.i.i ], [ %.6.i56.i.i.i.i, %B16365.i.i.i.i ]
-  %_monomials_v143_both.2.sroa.11.04.i.i.i.i = phi <8 x double> [ %.2624.i.i.i.i, %B16333.i.i.i.i ], [ %.2476.i.i.i.i, %B16365.i.i.i.i ]
-  %.6.i9.i.i.i.i = fmul contract <8 x double> %.6.i48.i.i.i.i, %_monomials_v143_both.2.sroa.0.05.i.i.i.i
-  %.6.i61.i.i.i.i = fmul contract <8 x double> %.2194.i.i.i.i, %_monomials_v143_both.2.sroa.11.04.i.i.i.i
+  %_monomials_v144_both.2.sroa.0.05.i.i.i.i = phi <8 x double> [ %.6.i59.i.i.i.i, %B16333.i.i.i.i ], [ %.6.i56.i.i.i.i, %B16365.i.i.i.i ]
+  %_monomials_v144_both.2.sroa.11.04.i.i.i.i = phi <8 x double> [ %.2624.i.i.i.i, %B16333.i.i.i.i ], [ %.2476.i.i.i.i, %B16365.i.i.i.i ]
+  %.6.i9.i.i.i.i = fmul contract <8 x double> %.6.i48.i.i.i.i, %_monomials_v144_both.2.sroa.0.05.i.i.i.i
+  %.6.i61.i.i.i.i = fmul contract <8 x double> %.2194.i.i.i.i, %_monomials_v144_both.2.sroa.11.04.i.i.i.i
   %.6.i62.i.i.i.i = fsub contract <8 x double> %.6.i9.i.i.i.i, %.6.i61.i.i.i.i
-  %.6.i63.i.i.i.i = fmul contract <8 x double> %.2194.i.i.i.i, %_monomials_v143_both.2.sroa.0.05.i.i.i.i
-  %.2790.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i48.i.i.i.i, <8 x double> %_monomials_v143_both.2.sroa.11.04.i.i.i.i, <8 x double> %.6.i63.i.i.i.i)
-  %.6.i64.i.i.i.i = fmul contract <8 x double> %.6.i52.i.i.i.i, %_monomials_v143_both.2.sroa.0.05.i.i.i.i
-  %.6.i65.i.i.i.i = fmul contract <8 x double> %.2326.i.i.i.i, %_monomials_v143_both.2.sroa.11.04.i.i.i.i
+  %.6.i63.i.i.i.i = fmul contract <8 x double> %.2194.i.i.i.i, %_monomials_v144_both.2.sroa.0.05.i.i.i.i
+  %.2790.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i48.i.i.i.i, <8 x double> %_monomials_v144_both.2.sroa.11.04.i.i.i.i, <8 x double> %.6.i63.i.i.i.i)
+  %.6.i64.i.i.i.i = fmul contract <8 x double> %.6.i52.i.i.i.i, %_monomials_v144_both.2.sroa.0.05.i.i.i.i
+  %.6.i65.i.i.i.i = fmul contract <8 x double> %.2326.i.i.i.i, %_monomials_v144_both.2.sroa.11.04.i.i.i.i
   %.6.i66.i.i.i.i = fsub contract <8 x double> %.6.i64.i.i.i.i, %.6.i65.i.i.i.i
-  %.6.i67.i.i.i.i = fmul contract <8 x double> %.2326.i.i.i.i, %_monomials_v143_both.2.sroa.0.05.i.i.i.i
-  %.2926.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i52.i.i.i.i, <8 x double> %_monomials_v143_both.2.sroa.11.04.i.i.i.i, <8 x double> %.6.i67.i.i.i.i)
-  br label %_ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i
+  %.6.i67.i.i.i.i = fmul contract <8 x double> %.2326.i.i.i.i, %_monomials_v144_both.2.sroa.0.05.i.i.i.i
+  %.2926.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i52.i.i.i.i, <8 x double> %_monomials_v144_both.2.sroa.11.04.i.i.i.i, <8 x double> %.6.i67.i.i.i.i)
+  br label %_ZN17bnserve_surrogate10precession7_points7twistedB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i
 
 B418.if.lr.ph.i.i.i.i:                            ; preds = %B366.if.i.i.i
   %154 = tail call i64 @llvm.smax.i64(i64 %lsr.iv43.i.i.i, i64 0)
@@ -3030,7 +3030,7 @@ B532.if.i.i.i.i:                                  ; preds = %B532.if.preheader.i
   %niter.ncmp.1.i.i.i.i = icmp eq i64 %lsr.iv.next7.i.i.i.i, 0
   br i1 %niter.ncmp.1.i.i.i.i, label %B604.loopexit.unr-lcssa.i.i.i.i, label %B532.if.i.i.i.i
 
-_ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i: ; preds = %B16377.i.i.i.i, %B16365.i.i.i.i, %B16033.i.i.i.i
+_ZN17bnserve_surrogate10precession7_points7twistedB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i: ; preds = %B16377.i.i.i.i, %B16365.i.i.i.i, %B16033.i.i.i.i
   %"$1020call.5.2.sroa.24.0.i.i.i.i" = phi <8 x double> [ %.2004.i.i.i.i, %B16033.i.i.i.i ], [ %.2926.i.i.i.i, %B16377.i.i.i.i ], [ %.2326.i.i.i.i, %B16365.i.i.i.i ]
   %"$1020call.5.2.sroa.16.0.i.i.i.i" = phi <8 x double> [ %.6.i45.i.i.i.i, %B16033.i.i.i.i ], [ %.6.i66.i.i.i.i, %B16377.i.i.i.i ], [ %.6.i52.i.i.i.i, %B16365.i.i.i.i ]
   %"$1020call.5.2.sroa.8.0.i.i.i.i" = phi <8 x double> [ %.1702.i.i.i.i, %B16033.i.i.i.i ], [ %.2790.i.i.i.i, %B16377.i.i.i.i ], [ %.2194.i.i.i.i, %B16365.i.i.i.i ]
@@ -3071,9 +3071,9 @@ _ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4Cr
   %lsr.iv.next44.i.i.i = add i64 %lsr.iv43.i.i.i, -8
   %lsr.iv.next8.i.i.i = add nsw i64 %lsr.iv7.i.i.i, -1
   %.508.i.i.i = icmp sgt i64 %lsr.iv7.i.i.i, 5
-  br i1 %.508.i.i.i, label %B366.if.i.i.i, label %_ZN17bnserve_surrogate10precession7_source10_add_modesB4v138B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br i1 %.508.i.i.i, label %B366.if.i.i.i, label %_ZN17bnserve_surrogate10precession7_source10_add_modesB4v139B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-_ZN17bnserve_surrogate10precession7_source10_add_modesB4v138B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %_ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, %B898.endif.i.i
+_ZN17bnserve_surrogate10precession7_source10_add_modesB4v139B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %_ZN17bnserve_surrogate10precession7_points7twistedB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, %B898.endif.i.i
   %.1393.i.i = icmp slt i64 %last.3.2.i.i, %.118.i.i
   br i1 %.1393.i.i, label %B782.i.i, label %B1024.i.i
 
@@ -3108,7 +3108,7 @@ B1054.if.i.i:                                     ; preds = %B1024.i.i, %B1054.i
   %exitcond1007.not.i.i = icmp eq i64 %smin44.i.i, %.1502.i.i
   br i1 %exitcond1007.not.i.i, label %B606.loopexit.i.i, label %B1054.if.i.i
 
-_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B606.loopexit.i.i, %B944.endif.i
+_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B606.loopexit.i.i, %B944.endif.i
   %lsr.iv.next.i = add i64 %lsr.iv.i, 8
   %scevgep227.i = getelementptr i8, ptr %lsr.iv226.i, i64 8
   %lsr.iv.next230.i = add i64 %lsr.iv229.i, 1
@@ -3465,50 +3465,50 @@ attributes #5 = { nocallback nofree nosync nounwind willreturn memory(argmem: re
 !10 = distinct !{!10, !11, !"_ZN17bnserve_surrogate10precession10_equations11_fill_ratesB3v27B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !11 = distinct !{!11, !"_ZN17bnserve_surrogate10precession10_equations11_fill_ratesB3v27B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !12 = !{!13, !7, !4, !1}
-!13 = distinct !{!13, !14, !"_ZN17bnserve_surrogate10precession10_equations22_fill_angular_momentumB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!14 = distinct !{!14, !"_ZN17bnserve_surrogate10precession10_equations22_fill_angular_momentumB3v29B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE"}
+!13 = distinct !{!13, !14, !"_ZN17bnserve_surrogate10precession10_equations22_fill_angular_momentumB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!14 = distinct !{!14, !"_ZN17bnserve_surrogate10precession10_equations22_fill_angular_momentumB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE"}
 !15 = !{!16, !7, !4, !1}
-!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate10precession10_equations10_fill_fluxB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!17 = distinct !{!17, !"_ZN17bnserve_surrogate10precession10_equations10_fill_fluxB3v30B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE"}
+!16 = distinct !{!16, !17, !"_ZN17bnserve_surrogate10precession10_equations10_fill_fluxB3v31B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!17 = distinct !{!17, !"_ZN17bnserve_surrogate10precession10_equations10_fill_fluxB3v31B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE"}
 !18 = !{!19, !7, !4, !1}
-!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate10precession10_equations15_fill_spin_fluxB3v31B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!20 = distinct !{!20, !"_ZN17bnserve_surrogate10precession10_equations15_fill_spin_fluxB3v31B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!19 = distinct !{!19, !20, !"_ZN17bnserve_surrogate10precession10_equations15_fill_spin_fluxB3v32B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!20 = distinct !{!20, !"_ZN17bnserve_surrogate10precession10_equations15_fill_spin_fluxB3v32B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !21 = !{!22, !1}
-!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate10precession9_dynamics6followB3v35B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!23 = distinct !{!23, !"_ZN17bnserve_surrogate10precession9_dynamics6followB3v35B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
+!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate10precession9_dynamics6followB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!23 = distinct !{!23, !"_ZN17bnserve_surrogate10precession9_dynamics6followB3v36B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
 !24 = !{!25, !22, !1}
-!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!26 = distinct !{!26, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !27 = !{!28, !22, !1}
-!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!29 = distinct !{!29, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!29 = distinct !{!29, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !30 = !{!31, !22, !1}
-!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!32 = distinct !{!32, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!31 = distinct !{!31, !32, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!32 = distinct !{!32, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !33 = !{!34, !1}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate10precession9_dynamics6followB3v87B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_surrogate10precession9_dynamics6followB3v87B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
+!34 = distinct !{!34, !35, !"_ZN17bnserve_surrogate10precession9_dynamics6followB3v88B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!35 = distinct !{!35, !"_ZN17bnserve_surrogate10precession9_dynamics6followB3v88B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
 !36 = !{!37, !34, !1}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !39 = !{!40, !34, !1}
-!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!41 = distinct !{!41, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!40 = distinct !{!40, !41, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!41 = distinct !{!41, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !42 = !{!43, !34, !1}
-!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!44 = distinct !{!44, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v54B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!43 = distinct !{!43, !44, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!44 = distinct !{!44, !"_ZN17bnserve_surrogate10precession9_dynamics11_find_placeB3v55B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !45 = !{!46, !1}
-!46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate10precession7_source7_gatherB4v106B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!47 = distinct !{!47, !"_ZN17bnserve_surrogate10precession7_source7_gatherB4v106B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedE"}
+!46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate10precession7_source7_gatherB4v107B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!47 = distinct !{!47, !"_ZN17bnserve_surrogate10precession7_source7_gatherB4v107B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedE"}
 !48 = !{!49, !1}
-!49 = distinct !{!49, !50, !"_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!50 = distinct !{!50, !"_ZN17bnserve_surrogate10precession7_source4_rowB4v107B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!49 = distinct !{!49, !50, !"_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!50 = distinct !{!50, !"_ZN17bnserve_surrogate10precession7_source4_rowB4v108B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !51 = !{!52, !49, !1}
-!52 = distinct !{!52, !53, !"_ZN17bnserve_surrogate10precession7_points10directionsB4v116B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!53 = distinct !{!53, !"_ZN17bnserve_surrogate10precession7_points10directionsB4v116B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!52 = distinct !{!52, !53, !"_ZN17bnserve_surrogate10precession7_points10directionsB4v117B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!53 = distinct !{!53, !"_ZN17bnserve_surrogate10precession7_points10directionsB4v117B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !54 = !{!55, !49, !1}
-!55 = distinct !{!55, !56, !"_ZN17bnserve_surrogate10precession7_source10_add_modesB4v138B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!56 = distinct !{!56, !"_ZN17bnserve_surrogate10precession7_source10_add_modesB4v138B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!55 = distinct !{!55, !56, !"_ZN17bnserve_surrogate10precession7_source10_add_modesB4v139B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!56 = distinct !{!56, !"_ZN17bnserve_surrogate10precession7_source10_add_modesB4v139B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !57 = !{!58, !55, !49, !1}
-!58 = distinct !{!58, !59, !"_ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!59 = distinct !{!59, !"_ZN17bnserve_surrogate10precession7_points7twistedB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!58 = distinct !{!58, !59, !"_ZN17bnserve_surrogate10precession7_points7twistedB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!59 = distinct !{!59, !"_ZN17bnserve_surrogate10precession7_points7twistedB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}

@@ -1,0 +1,5 @@
+"""Derivatives of modes with respect to a binary's parameters, in one pass beside the kernel."""
+
+from bnserve_surrogate.tangents._call import differentiate
+
+__all__ = ["differentiate"]

@@ -1,0 +1,117 @@
+"""Calling the compiled derivatives."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol import InvalidRequest, TooLarge
+from bnserve_protocol.wire import address_of, result_memory
+from bnserve_surrogate.kernel import KernelModel, ModePlan, Workspace, load_assembly
+from bnserve_surrogate.kernel._evaluate import PreparedGrid
+from bnserve_surrogate.kernel._layout import LANES, Argument, Entry, padded
+from bnserve_surrogate.kernel._mode import regressor_scratch
+from bnserve_surrogate.tangents._layout import TANGENTS, row_size
+
+ASSEMBLY = Path(__file__).with_name("tangents.ll")
+ENTRY_POINT = "bnserve_differentiate"
+
+Floats = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+_workspace = Workspace(len(Argument))
+
+
+@functools.cache
+def load_tangents() -> Callable[[int, int, int], int]:
+    """The compiled derivatives, called as :func:`~bnserve_surrogate.kernel.load_assembly` says."""
+    return load_assembly(ASSEMBLY, ENTRY_POINT, vectorise=False)
+
+
+def differentiate(
+    model: KernelModel, grid: PreparedGrid, parameters: Floats, alignment: int, status: NDArray[np.uint8], h: Complex,
+    plan: ModePlan | None,
+) -> Complex:  # fmt: skip
+    """The derivatives of modes that were evaluated.
+
+    Parameters
+    ----------
+    model
+        The (2, 2), whose regressor is a polynomial.
+    grid
+        The frequencies.
+    parameters
+        ``(N, 10)``, the columns of a ParameterBatch.
+    alignment
+        As the kernel is told.
+    status
+        ``(N,)``: rows that are not OK get NaN.
+    h
+        1/Hz, ``(N, L, M)``, contiguous.
+    plan
+        What was evaluated; None for the (2, 2) alone.
+
+    Raises
+    ------
+    InvalidRequest
+        The regressor is a network.
+    TooLarge
+        There is no memory for the result.
+
+    Returns
+    -------
+    ``(N, L, 6, M)``: with respect to q, Lambda_1, Lambda_2, chi_1, chi_2 and the total mass.
+    """
+    if model.contents[Entry.LAYERS] > 0:
+        raise InvalidRequest(
+            "This model's regressor is a network, whose derivatives are not there: ask a model whose regressor is a "
+            "polynomial, as those of 'default', 'fast' and 'wide' are."
+        )
+    rows, modes, points = h.shape
+    try:
+        out = result_memory.empty((rows, modes, TANGENTS, points), "complex128")
+    except MemoryError as error:
+        raise TooLarge(
+            f"There is no memory for the derivatives of {rows} waveforms on so many frequencies; evaluate fewer rows "
+            "at a time, or on fewer frequencies."
+        ) from error
+    workspace, needed = _workspace, scratch_size(model, plan)
+    if workspace.scratch.size < needed:
+        workspace.reserve(needed)
+    _, grid_at, stride, bins, table_at = grid.block
+    given = {
+        Argument.ROWS: rows, Argument.PARAMETERS: address_of(parameters), Argument.POINTS: points,
+        Argument.GRID: grid_at, Argument.STRIDE: stride, Argument.BINS: bins, Argument.TABLE: table_at,
+        Argument.ALIGNMENT: alignment, Argument.SCRATCH: workspace.scratch_at, Argument.FIRST: address_of(h),
+        Argument.SECOND: address_of(out), Argument.STATUS: address_of(status),
+        Argument.MODES: 0 if plan is None else plan.address,
+    }  # fmt: skip
+    given |= dict(zip((Argument.CONTENTS, Argument.EXPONENTS, Argument.WEIGHTS), model.addresses, strict=True))
+    workspace.arguments[:] = [given.get(argument, 0) for argument in Argument]
+    if load_tangents()(*workspace.addresses) != 0:
+        raise RuntimeError("The compiled derivatives stopped with an error.")
+    return out
+
+
+def scratch_size(model: KernelModel, plan: ModePlan | None) -> int:
+    """Floats of scratch for eight rows."""
+    knots = padded(int(model.contents[Entry.AMPLITUDE_NODES])), padded(int(model.contents[Entry.PHASE_NODES]))
+    arrays, linear = [model], 0
+    if plan is not None:
+        ratios = [plan.kernel_modes.ratios[mode] for mode in plan.modes if mode in plan.kernel_modes.ratios]
+        arrays += [ratio.arrays for ratio in ratios]
+        linear = sum(4 * LANES * padded(int(ratio.arrays.contents[Entry.PHASE_NODES])) for ratio in ratios)
+    width = 2 * sum(knots) + LANES
+    regressors = max(_with_tangents(each) for each in arrays)
+    return 40 * LANES + TANGENTS * (LANES * width + linear) + max(regressors, row_size(*knots) + 2 * linear)
+
+
+def _with_tangents(model: KernelModel) -> int:
+    """What a regressor takes for its outputs and their derivatives along five axes, and to come by them."""
+    outputs = LANES * (LANES + padded(int(model.contents[Entry.OUTPUTS])))
+    products = LANES * (10 * (int(model.contents[Entry.DEGREE]) + 1) + int(model.contents[Entry.TERMS]))
+    return 6 * outputs + max(products, outputs, regressor_scratch(model.contents))
