@@ -209,17 +209,12 @@ def test_slurm_runs_a_program_with_its_server_and_a_server_for_others(slurm, tmp
     assert not place.exists()
 
 
-def submit_file(name: str) -> dict[str, str]:
-    """The commands of a submit description; the last line queues."""
-    lines = [line for line in (BATCH / name).read_text().splitlines() if line and not line.startswith("#")]
-    assert lines[-1] == "queue 1"
-    return {key.strip(): value.strip() for key, _, value in (line.partition("=") for line in lines[:-1])}
-
-
 @pytest.mark.parametrize("name", sorted(path.name for path in BATCH.glob("*.sub")))
 def test_what_htcondor_is_given_is_there_and_its_options_are_known(name):
-    """HTCondor's own parser read both files when they were written; Debian 12 has no HTCondor to run them."""
-    described = submit_file(name)
+    """HTCondor's own parser reads both files; Debian 12 has no HTCondor to run them."""
+    htcondor = pytest.importorskip("htcondor2", reason="wheels for x86-64 alone")
+    described = htcondor.Submit((BATCH / name).read_text())
+    assert described.getQArgs() == "1"
     executable = BATCH / described["executable"]
     assert os.access(executable, os.X_OK)
     options = re.findall(r"--workers \d+", described["arguments"] + described["environment"])

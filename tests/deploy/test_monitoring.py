@@ -15,6 +15,8 @@ from pathlib import Path
 
 import pytest
 import yaml
+from grafana_foundation_sdk.cog.encoder import JSONEncoder
+from grafana_foundation_sdk.models.dashboard import Dashboard
 
 from bnserve_service import Settings, create_app
 from docs import generate
@@ -81,6 +83,21 @@ def test_each_alert_fires_when_it_should_and_not_else(tmp_path):
 def test_only_metrics_that_there_are_are_named(query):
     assert names_in(query) <= exposed_names()
     assert names_in(query), "each is of something"
+
+
+def lost(said, known, place="") -> list[str]:
+    """Where something that is said is not known."""
+    if isinstance(said, dict):
+        return [each for key, value in said.items() for each in lost(value, known.get(key), f"{place}/{key}")]
+    if isinstance(said, list):
+        return [each for number, value in enumerate(said) for each in lost(value, known[number], f"{place}/{number}")]
+    return [] if said == known else [place]
+
+
+def test_grafana_knows_all_that_the_board_says():
+    """Its own model of a board leaves out what it does not know; the last query of a variable is the editor's own."""
+    known = json.loads(JSONEncoder().encode(Dashboard.from_json(BOARD)))
+    assert {place.rpartition("/")[2] for place in lost(BOARD, known)} <= {"definition"}
 
 
 def test_every_selector_is_found_by_the_look_for_names():
