@@ -138,6 +138,7 @@ from bnserve_protocol._results import (
     TimeSeries,
 )
 from bnserve_protocol._sample_names import samples_of
+from bnserve_protocol._tables import check_table, read_table
 from bnserve_protocol._time_domain import predict_time_domain, time_domain_steps
 from bnserve_protocol._version import __version__
 
@@ -160,10 +161,11 @@ __all__ = [
     "UndecodableBody", "UniformGrid", "UnsupportedMediaType", "UntrustedAnswer", "VersionExists", "WaveformModel",
     "__version__", "as_frequencies", "as_numbers", "as_real_number", "as_real_numbers", "check_arms", "check_dtype",
     "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior",
-    "check_settings", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis", "encode_analysis",
-    "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples", "nothing_integrated", "plain_grid",
-    "plain_options", "predict_time_domain", "printable", "random_numbers", "refuse_rows", "require", "samples_of",
-    "the_mode", "time_domain_steps", "time_steps", "time_until_merger", "turn_to_reference",
+    "check_settings", "check_table", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis",
+    "encode_analysis", "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples",
+    "nothing_integrated", "plain_grid", "plain_options", "predict_time_domain", "printable", "random_numbers",
+    "read_table", "refuse_rows", "require", "samples_of", "the_mode", "time_domain_steps", "time_steps",
+    "time_until_merger", "turn_to_reference",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import difflib
 import hashlib
 import math
-import re
-import tomllib
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -14,6 +11,7 @@ import msgspec
 from msgspec import Meta
 
 from bnserve_inference.roq._errors import RoqConfigurationInvalid
+from bnserve_protocol import check_table, read_table
 
 Natural = Annotated[int, Meta(ge=0)]
 Count = Annotated[int, Meta(ge=1)]
@@ -132,21 +130,12 @@ def read_roq_configuration(path: Path | str) -> RoqConfiguration:
         Not readable, not TOML, a key or value that the schema does not have (the nearest key is suggested), or values
         that do not go together.
     """
-    try:
-        table = tomllib.loads(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise RoqConfigurationInvalid(f"Cannot read the configuration {path}: {error.strerror}.") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise RoqConfigurationInvalid(f"{path} is not valid TOML: {error}.") from error
-    return parse_roq_configuration(table)
+    return parse_roq_configuration(read_table(path, RoqConfigurationInvalid))
 
 
 def parse_roq_configuration(table: dict[str, Any]) -> RoqConfiguration:
     """Check a configuration given as nested dictionaries; raises as :func:`read_roq_configuration`."""
-    try:
-        configuration = msgspec.convert(table, RoqConfiguration)
-    except msgspec.ValidationError as error:
-        raise RoqConfigurationInvalid(f"The configuration is wrong: {_explain(str(error))}.") from error
+    configuration = check_table(table, RoqConfiguration, RoqConfigurationInvalid, "The configuration")
     problem = next(filter(None, (*_band_problems(configuration), *_prior_problems(configuration))), None)
     if problem:
         raise RoqConfigurationInvalid(f"The configuration is wrong: {problem}.")
@@ -179,17 +168,3 @@ def _prior_problems(configuration: RoqConfiguration) -> list[str]:
     if prior.mass_ratio[0] < 1.0:
         problems.append("[prior] mass_ratio is the heavier mass over the lighter one, at least 1")
     return problems
-
-
-def _explain(message: str) -> str:
-    unknown = re.search(r"unknown field `([^`]+)`(?: - at `\$\.?([\w.\[\]]*)`)?", message)
-    if not unknown:
-        return message
-    where = re.sub(r"\[[^\]]*\]", "", unknown[2] or "")
-    section: Any = RoqConfiguration
-    for part in filter(None, where.split(".")):
-        section = CycleSection if part == "cycles" else {f.name: f.type for f in msgspec.structs.fields(section)}[part]
-    known = [field.name for field in msgspec.structs.fields(section)]
-    near = difflib.get_close_matches(unknown[1], known, n=1)
-    hint = f"did you mean '{near[0]}'?" if near else f"known keys: {', '.join(known)}"
-    return f"unknown key '{unknown[1]}'{f' in [{where}]' if where else ''}; {hint}"

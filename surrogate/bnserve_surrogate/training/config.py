@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import difflib
 import math
-import re
-import tomllib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import msgspec
 
+from bnserve_protocol import check_table, read_table
 from bnserve_surrogate.training.errors import TrainingError
 from bnserve_surrogate.training.sections import TrainingConfiguration
 
@@ -35,13 +33,7 @@ def read_configuration(path: Path | str) -> TrainingConfiguration:
     ConfigurationInvalid
         Not readable, not TOML, or a key or value that the schema does not have; the nearest key is suggested.
     """
-    try:
-        table = tomllib.loads(Path(path).read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ConfigurationInvalid(f"Cannot read the configuration {path}: {error.strerror}.") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ConfigurationInvalid(f"{path} is not valid TOML: {error}.") from error
-    return parse_configuration(table)
+    return parse_configuration(read_table(path, ConfigurationInvalid))
 
 
 def parse_configuration(table: dict[str, Any]) -> TrainingConfiguration:
@@ -52,10 +44,7 @@ def parse_configuration(table: dict[str, Any]) -> TrainingConfiguration:
     ConfigurationInvalid
         A key or value that the schema does not have; the nearest key is suggested.
     """
-    try:
-        return msgspec.convert(table, TrainingConfiguration)
-    except msgspec.ValidationError as error:
-        raise ConfigurationInvalid(f"The training configuration is wrong: {_explain(str(error))}.") from error
+    return check_table(table, TrainingConfiguration, ConfigurationInvalid, "The training configuration")
 
 
 def demand(holds: bool, complaint: str) -> None:
@@ -102,17 +91,3 @@ def _numbers(value: Any, name: str = "") -> Iterator[tuple[str, float]]:
             yield from _numbers(part, name)
     elif isinstance(value, float):
         yield name, value
-
-
-def _explain(message: str) -> str:
-    unknown = re.search(r"unknown field `(\w+)`(?: - at `\$\.?([\w.]*)`)?", message)
-    if not unknown:
-        return message
-    section: type[msgspec.Struct] = TrainingConfiguration
-    for part in filter(None, (unknown[2] or "").split(".")):
-        section = {field.name: field.type for field in msgspec.structs.fields(section)}[part]
-    known = [field.name for field in msgspec.structs.fields(section)]
-    near = difflib.get_close_matches(unknown[1], known, n=1)
-    where = f" in [{unknown[2]}]" if unknown[2] else ""
-    hint = f"did you mean '{near[0]}'?" if near else f"known keys: {', '.join(known)}"
-    return f"unknown key '{unknown[1]}'{where}; {hint}"
