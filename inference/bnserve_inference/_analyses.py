@@ -82,6 +82,7 @@ def roq_analysis(
     basis: Any,
     model: WaveformModel,
     options: LikelihoodOptions,
+    checked: bool = False,
 ) -> Analysis:
     """The likelihood by reduced-order quadrature.
 
@@ -95,13 +96,16 @@ def roq_analysis(
     options
         Its ``prior`` must state ``coalescence_time`` (seconds from the trigger) and must be covered by the basis; where
         it is silent, the ranges of the basis hold. Other parameters as :func:`full_analysis`.
+    checked
+        Whether ln L is compared with that on the full grid all over the prior, as it is for a table in any case.
 
     Raises
     ------
     AnalysisInvalid
-        As :func:`full_analysis`; also data of another duration, a prior that the basis does not cover, a table that
-        does not give the model's waveforms within the options' ``error_bound``, or calibration errors that the basis
-        cannot stand: a calibrated waveform need not be in the span of a basis of waveforms.
+        As :func:`full_analysis`; also data of another duration, a prior that the basis does not cover, a table, or with
+        ``checked`` any basis, that does not give the model's waveforms within the options' ``error_bound``, or
+        calibration errors that the basis cannot stand: a calibrated waveform need not be in the span of a basis of
+        waveforms.
     """
     band = Band(data, trigger_time, basis.f_min, basis.f_max)
     if abs(band.duration - basis.duration) > 1e-9 * basis.duration:
@@ -129,9 +133,10 @@ def roq_analysis(
         )
     reference = middle(basis.prior)
     fitting = Fitting(band, model, basis.alignment, options, None, modes)
-    if options.calibration is not None or basis.tabulated:
+    checked = checked or basis.tabulated
+    if options.calibration is not None or checked:
         refuse_missing_ranges(options.prior)
-    weighted = fitted_quadrature(fitting, basis) if basis.tabulated else fitting.weighted(basis)
+    weighted = fitted_quadrature(fitting, basis) if checked else fitting.weighted(basis)
     if options.calibration is not None:
         around = reference or Box.of(options.prior, model).middle()
         calibrated = CalibratedBasis.around(basis, around, band.frequencies, model)

@@ -114,8 +114,8 @@ def gwosc_segment(
         raise AnalysisInvalid(
             f"A segment has a start (GPS seconds) and a positive duration; got {start_time!r} and {duration!r}."
         )
-    first = _samples("start_time", start_time - start, interval, float(np.spacing(start_time)), start)
-    samples = _samples("duration", duration, interval, 1e-9 * duration, 0.0)
+    first = whole_samples("start_time", start_time - start, interval, float(np.spacing(start_time)), start)
+    samples = whole_samples("duration", duration, interval, 1e-9 * duration, 0.0)
     if first < 0 or first + samples > len(strain):
         raise AnalysisInvalid(
             f"{Path(path).name} holds GPS {start} to {start + len(strain) * interval}; the segment from {start_time} "
@@ -124,7 +124,7 @@ def gwosc_segment(
     return fourier_strain(strain[first : first + samples], interval, roll_off)
 
 
-def _samples(name: str, seconds: float, interval: float, slack: float, origin: float) -> int:
+def whole_samples(name: str, seconds: float, interval: float, slack: float, origin: float) -> int:
     """How many samples a time is, which must be a whole number of them to within rounding."""
     places = seconds / interval
     if abs(places - np.round(places)) * interval > slack:
