@@ -1,0 +1,182 @@
+"""From an event's configuration to the data of its detectors."""
+
+from __future__ import annotations
+
+import hashlib
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_inference import DetectorData, fourier_strain, simulate_data
+from bnserve_inference.strain import Strain, data_doubts, read_strain, refuse_gaps
+from bnserve_posterior.data._noise import Noise, estimated_noise, noise_curve
+from bnserve_posterior.events import DataSection, DetectorSection, Event, EventInvalid
+from bnserve_posterior.priors import likelihood_parameters
+from bnserve_protocol import Mode, WaveformModel
+
+Floats = NDArray[np.float64]
+_AFTER = 2.0
+"""Seconds of data after the trigger, at least, where no start is given."""
+_SIMULATED = 2.0
+"""Points of simulated data: up to this many times the end of the band."""
+
+
+@dataclass(frozen=True, eq=False)
+class EventData:
+    """The data of a network.
+
+    Attributes
+    ----------
+    detectors
+        Strain and noise of each.
+    injection
+        The signal that was put in, with bilby's names; None for strain from files.
+    facts, doubts
+        What was done with the data, and what is doubtful about them, a sentence each.
+    digests
+        SHA-256 of the files, by name.
+    """
+
+    detectors: list[DetectorData]
+    injection: Mapping[str, float] | None
+    facts: list[str] = field(default_factory=list)
+    doubts: list[str] = field(default_factory=list)
+    digests: dict[str, str] = field(default_factory=dict)
+
+
+def segment_start(data: DataSection) -> float:
+    """GPS seconds of the first sample."""
+    if data.start_time is not None:
+        return data.start_time
+    return math.floor(data.trigger_time + _AFTER - data.duration)
+
+
+def load_data(event: Event, model: WaveformModel, modes: tuple[Mode, ...] | None = None) -> EventData:
+    """The data of an event.
+
+    Parameters
+    ----------
+    event
+        The configuration.
+    model, modes
+        Make the signal of an injection.
+
+    Raises
+    ------
+    EventInvalid, AnalysisInvalid
+        Files that cannot be read, or do not hold the segment; gaps in it; a noise curve that is none.
+    PackageMissing
+        Frames without gwpy.
+    """
+    if event.data.injection is not None:
+        return _simulated(event, model, modes)
+    return _read(event)
+
+
+def _read(event: Event) -> EventData:
+    data, start = event.data, segment_start(event.data)
+    found = EventData([], None)
+    found.facts.append(
+        f"Segment: {data.duration:g} s from GPS {start:.10g}, under a Tukey window that rises and falls within "
+        f"{data.roll_off:g} s; band {data.f_min:g} to {data.f_max:g} Hz."
+    )
+    for name, section in event.detectors.items():
+        strain = read_strain(str(section.strain), section.channel)
+        found.digests[strain.source] = _digest(str(section.strain))
+        refuse_gaps(strain, name, start, data.duration)
+        samples = strain.piece(start, data.duration)
+        noise = _noise(section, name, strain, event, len(samples) // 2 + 1, found.digests)
+        transformed = fourier_strain(samples, strain.interval, data.roll_off)
+        one = DetectorData(name, transformed, noise.asd, start_time=start, duration=data.duration)
+        found.detectors.append(_narrowed(one, section))
+        found.facts.append(f"{name}: {strain.source}, {1.0 / strain.interval:g} samples a second.")
+        found.facts.append(f"{noise.origin}.")
+        found.doubts.extend(noise.doubts)
+        found.doubts.extend(data_doubts(strain, name, start, data.duration, (data.f_min, section.f_max or data.f_max)))
+    return found
+
+
+def _noise(
+    section: DetectorSection, name: str, strain: Strain, event: Event, points: int, digests: dict[str, str]
+) -> Noise:
+    data = event.data
+    if section.asd or section.psd:
+        return _curve(section, name, data.duration, points, digests)
+    source = strain if section.psd_strain is None else read_strain(section.psd_strain, section.channel)
+    if section.psd_strain is not None:
+        digests[source.source] = _digest(section.psd_strain)
+    return estimated_noise(source, section, name, (segment_start(data), data.duration), points)
+
+
+def _curve(section: DetectorSection, name: str, duration: float, points: int, digests: dict[str, str]) -> Noise:
+    file = str(section.asd or section.psd)
+    if Path(file).exists():
+        digests[Path(file).name] = _digest(file)
+    kind = "PSD" if section.psd else "ASD"
+    curve = noise_curve(file, name, duration, points, psd=section.psd is not None)
+    return Noise(curve, f"{name}: {kind} from {Path(file).name}", [])
+
+
+def _simulated(event: Event, model: WaveformModel, modes: tuple[Mode, ...] | None) -> EventData:
+    data, injection = event.data, event.data.injection
+    assert injection is not None
+    points = round(data.duration * 2.0 ** math.ceil(math.log2(_SIMULATED * data.f_max)) / 2.0) + 1
+    found = EventData([], None)
+    curves = [_curve(section, name, data.duration, points, found.digests) for name, section in event.detectors.items()]
+    parameters = dict(injection.parameters)
+    parameters.setdefault("geocent_time", data.trigger_time)
+    if injection.snr is not None:
+        parameters["luminosity_distance"] = 100.0  # Mpc, from which it is scaled
+
+    def simulate(seed: int | None) -> list[DetectorData]:
+        made = simulate_data(
+            list(event.detectors), [curve.asd for curve in curves], model=model,
+            parameters=likelihood_parameters(parameters, data.trigger_time), trigger_time=data.trigger_time,
+            start_time=segment_start(data), duration=data.duration, seed=seed, f_min=data.f_min, modes=modes,
+        )  # fmt: skip
+        return [_narrowed(one, section) for one, section in zip(made, event.detectors.values(), strict=True)]
+
+    if injection.snr is not None:
+        parameters["luminosity_distance"] *= network_snr(simulate(None), data) / injection.snr
+    elif "luminosity_distance" not in parameters:
+        raise EventInvalid("The injection has no distance: give luminosity_distance in its parameters, or its snr.")
+    detectors = simulate(None if injection.zero_noise else injection.seed)
+    noise = "without noise" if injection.zero_noise else f"in Gaussian noise of seed {injection.seed}"
+    snr = network_snr(simulate(None), data)
+    facts = [
+        f"Simulated: a signal of signal-to-noise ratio {snr:.1f} at {parameters['luminosity_distance']:.1f} Mpc, "
+        f"{noise}; {data.duration:g} s from GPS {segment_start(data):.10g}, band {data.f_min:g} to {data.f_max:g} Hz.",
+        *(f"{curve.origin}." for curve in curves),
+    ]
+    return EventData(detectors, parameters, facts, [], found.digests)
+
+
+def network_snr(detectors: list[DetectorData], data: DataSection) -> float:
+    """Optimal signal-to-noise ratio of what is in the data; of a signal, if there is no noise."""
+    squares = 0.0
+    for detector in detectors:
+        strain, asd = detector.checked(data.f_min, data.f_max)
+        squares += 4.0 / data.duration * float(np.sum(np.square(np.abs(strain / asd))))
+    return math.sqrt(squares)
+
+
+def _narrowed(data: DetectorData, section: DetectorSection) -> DetectorData:
+    """The data without what the detector's own band and notches leave out: there its ASD is infinite."""
+    frequencies = np.arange(len(data.asd)) / data.duration
+    out = np.zeros(len(frequencies), dtype=bool)
+    if section.f_min is not None:
+        out |= frequencies < section.f_min
+    if section.f_max is not None:
+        out |= frequencies > section.f_max
+    for low, high in section.notches:
+        out |= (frequencies >= low) & (frequencies <= high)
+    return replace(data, asd=np.where(out, np.inf, data.asd)) if out.any() else data
+
+
+def _digest(path: str) -> str:
+    with Path(path).open("rb") as file:
+        return f"sha256:{hashlib.file_digest(file, 'sha256').hexdigest()}"

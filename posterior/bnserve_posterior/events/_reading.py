@@ -1,0 +1,93 @@
+"""Reading an event's configuration."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import msgspec
+
+from bnserve_posterior.events._errors import EventInvalid
+from bnserve_posterior.events._sections import DataSection, DetectorSection, Event
+from bnserve_protocol import check_table, read_table
+
+_WHOLE = 1e-6
+"""By how much an end of the band, in steps of the grid, may differ from a whole number; as for an analysis."""
+
+
+def read_event(path: Path | str) -> Event:
+    """Read a TOML file; files that it names are looked for beside it.
+
+    Raises
+    ------
+    EventInvalid
+        Not readable, not TOML, a key or value that the schema does not have (the nearest key is suggested), or values
+        that do not go together.
+    """
+    event = parse_event(read_table(path, EventInvalid))
+    return _beside(event, Path(path).resolve().parent)
+
+
+def parse_event(table: dict[str, Any]) -> Event:
+    """Check a configuration given as nested dictionaries; raises as :func:`read_event`."""
+    event = check_table(table, Event, EventInvalid, "The event")
+    problem = next(filter(None, (*_data_problems(event.data), *_detector_problems(event))), None)
+    if problem:
+        raise EventInvalid(f"The event is wrong: {problem}.")
+    return event
+
+
+def _data_problems(data: DataSection) -> Iterator[str]:
+    for name in ("trigger_time", "duration", "start_time", "f_min", "f_max", "roll_off"):
+        value = getattr(data, name)
+        if value is not None and not math.isfinite(value):
+            yield f"[data] {name} must be a finite number, and is {value}"
+    if not data.f_min < data.f_max:
+        yield f"[data] f_max ({data.f_max:g} Hz) must be above f_min ({data.f_min:g} Hz)"
+    for name, frequency in (("f_min", data.f_min), ("f_max", data.f_max)):
+        steps = frequency * data.duration
+        if abs(steps - round(steps)) > _WHOLE:
+            yield f"[data] {name} ({frequency:g} Hz) must be a multiple of 1 / duration ({1.0 / data.duration:g} Hz)"
+    if data.start_time is not None and not data.start_time < data.trigger_time < data.start_time + data.duration:
+        yield "[data] trigger_time must lie inside the segment, start_time to start_time + duration"
+
+
+def _detector_problems(event: Event) -> Iterator[str]:
+    injected = event.data.injection is not None
+    for name, detector in event.detectors.items():
+        if injected and detector.strain:
+            yield f"[detectors.{name}] has strain and [data.injection] a signal; leave out one of the two"
+        if not injected and not detector.strain:
+            yield f"[detectors.{name}] needs 'strain', a file, or the event a section [data.injection]"
+        if detector.asd and detector.psd:
+            yield f"[detectors.{name}] has both asd and psd; leave out one of the two"
+        if not (detector.asd or detector.psd or detector.strain or detector.psd_strain):
+            yield f"[detectors.{name}] needs a noise curve, 'asd' or 'psd': there is no strain to estimate it from"
+        if (detector.psd_start is None) != (detector.psd_duration is None):
+            yield f"[detectors.{name}] psd_start and psd_duration belong together; give both or neither"
+        for low, high in detector.notches:
+            if not 0.0 <= low < high:
+                yield f"[detectors.{name}] notches are pairs of increasing frequencies; one is {low:g}, {high:g}"
+
+
+def _beside(event: Event, folder: Path) -> Event:
+    """The event with the files that it names as they are to be opened."""
+
+    def resolved(name: str | None) -> str | None:
+        return str(folder / name) if name is not None and (folder / name).exists() else name
+
+    def detector(given: DetectorSection) -> DetectorSection:
+        files = {key: resolved(getattr(given, key)) for key in ("strain", "asd", "psd", "psd_strain")}
+        return msgspec.structs.replace(given, **files)
+
+    prior, likelihood = dict(event.prior), event.likelihood
+    if isinstance(prior.get("file"), str):
+        prior["file"] = str(resolved(str(prior["file"])))
+    return msgspec.structs.replace(
+        event,
+        detectors={name: detector(given) for name, given in event.detectors.items()},
+        likelihood=msgspec.structs.replace(likelihood, basis=resolved(likelihood.basis)),
+        prior=prior,
+    )

@@ -1,0 +1,130 @@
+"""The sections of an event's configuration; an unknown key is an error in each of them."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+import msgspec
+from msgspec import Meta
+
+from bnserve_protocol import DEFAULT_ERROR_BOUND
+
+Natural = Annotated[int, Meta(ge=0)]
+Count = Annotated[int, Meta(ge=1)]
+Positive = Annotated[float, Meta(gt=0.0)]
+Pair = tuple[float, float]
+PriorValue = str | float | Pair
+"""A prior in bilby's words, one value, or the two ends of a uniform one."""
+
+
+class _Section(msgspec.Struct, frozen=True, kw_only=True, forbid_unknown_fields=True):
+    """Unknown keys are errors in every section."""
+
+
+class InjectionSection(_Section, frozen=True, kw_only=True):
+    """A signal in simulated noise, in place of strain.
+
+    ``parameters`` have bilby's names. ``snr``: the optimal signal-to-noise ratio of the network, for which the distance
+    is chosen. ``seed`` is that of the noise; ``zero_noise`` leaves it out.
+    """
+
+    parameters: dict[str, float]
+    snr: Positive | None = None
+    seed: Natural = 1
+    zero_noise: bool = False
+
+
+class DataSection(_Section, frozen=True, kw_only=True):
+    """The segment and the band.
+
+    Times are GPS seconds; ``trigger_time`` is what times of the prior are near. Without ``start_time`` the segment
+    begins at the last whole second from which it ends at least two seconds after the trigger. The band goes from
+    ``f_min`` to ``f_max`` (Hz), multiples of 1 / ``duration`` (s). ``roll_off``: seconds in which the Tukey window of
+    strain from files rises and falls.
+    """
+
+    trigger_time: float
+    duration: Positive
+    start_time: float | None = None
+    f_min: Positive
+    f_max: Positive
+    roll_off: Annotated[float, Meta(ge=0.0)] = 0.4
+    injection: InjectionSection | None = None
+
+
+class DetectorSection(_Section, frozen=True, kw_only=True):
+    """A detector: its strain and its noise.
+
+    ``strain`` is a file, ``channel`` a series in it. The noise is in a file of two columns, Hz and ``asd`` (1/sqrt(Hz))
+    or ``psd`` (1/Hz), or one of bilby's noise curves by its name, such as ``"ET_D_psd.txt"``; without either it is
+    estimated from strain: ``psd_duration`` seconds from ``psd_start`` (GPS) in pieces of ``psd_segment`` seconds, of
+    ``psd_strain`` if that is another file. ``f_min`` and ``f_max`` narrow the band, and ``notches`` are bands in Hz
+    that are left out.
+    """
+
+    strain: str | None = None
+    channel: str | None = None
+    asd: str | None = None
+    psd: str | None = None
+    psd_strain: str | None = None
+    psd_start: float | None = None
+    psd_duration: Positive | None = None
+    psd_segment: Positive | None = None
+    f_min: Positive | None = None
+    f_max: Positive | None = None
+    notches: tuple[Pair, ...] = ()
+
+
+class ModelSection(_Section, frozen=True, kw_only=True):
+    """Which model, ``NAME[@VERSION]``: of this installation, or of the server at ``url``."""
+
+    name: str = "default"
+    url: str | None = None
+
+
+class LikelihoodSection(_Section, frozen=True, kw_only=True):
+    """How the likelihood is evaluated, and what it integrates over.
+
+    ``kind`` ``"auto"`` is the cheapest whose error in ln L is at most ``error_bound`` all over the prior, as checked
+    against the full grid. ``basis`` is a reduced-order quadrature, by the name of one that comes with bnserve or of a
+    file. ``modes`` are (l, m); without any, all that the model has. ``fiducial`` is what relative binning starts from,
+    in bilby's names; without one the injection, or the middle of the prior.
+    """
+
+    kind: Literal["auto", "relative_binning", "roq", "full"] = "auto"
+    error_bound: Positive = DEFAULT_ERROR_BOUND
+    basis: str | None = None
+    modes: tuple[tuple[int, int], ...] | None = None
+    phase_marginalisation: bool = True
+    distance_marginalisation: bool = True
+    fiducial: dict[str, float] | None = None
+
+
+class SamplerSection(_Section, frozen=True, kw_only=True):
+    """How many ``effective`` samples the posterior shall be worth, with how many ``particles``, and the ``seed``."""
+
+    effective: Count = 10_000
+    particles: Annotated[int, Meta(ge=100)] = 4000
+    seed: Natural = 1
+
+
+class OutputSection(_Section, frozen=True, kw_only=True):
+    """Where results are written: ``folder``, and in which of bilby's formats. ``checks``: how many samples are looked
+    at with the full likelihood."""
+
+    folder: str
+    label: str | None = None
+    format: Literal["json", "hdf5"] = "json"
+    checks: Natural = 500
+
+
+class Event(_Section, frozen=True, kw_only=True):
+    """A whole configuration; ``prior`` has ``file``, one of bilby's, and priors of its own by name."""
+
+    data: DataSection
+    detectors: Annotated[dict[str, DetectorSection], Meta(min_length=1)]
+    model: ModelSection = ModelSection()
+    likelihood: LikelihoodSection = LikelihoodSection()
+    prior: dict[str, PriorValue]
+    sampler: SamplerSection = SamplerSection()
+    output: OutputSection

@@ -1,0 +1,15 @@
+"""The likelihood of an event over its prior: the cheapest that is exact enough."""
+
+from bnserve_posterior.likelihoods._building import Choice, build_likelihood, full_likelihood
+from bnserve_posterior.likelihoods._marginalised import integrated_names, marginalised_distance
+from bnserve_posterior.likelihoods._ranges import analysis_ranges, part_outside
+
+__all__ = [
+    "Choice",
+    "analysis_ranges",
+    "build_likelihood",
+    "full_likelihood",
+    "integrated_names",
+    "marginalised_distance",
+    "part_outside",
+]

@@ -1,0 +1,85 @@
+"""Samples of equal weight from a posterior over the unit cube, with what was integrated over drawn again."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_posterior.priors import PriorCube, derived_parameters
+from bnserve_posterior.sampling import Posterior
+from bnserve_protocol import Likelihood, LikelihoodBatch
+
+Floats = NDArray[np.float64]
+_SEED = 21
+
+
+@dataclass(frozen=True, eq=False)
+class Samples:
+    """Samples of equal weight.
+
+    Attributes
+    ----------
+    values
+        By bilby's names, ``(N,)`` each: what was sampled, what was integrated over, what follows from them, and by
+        detector the signal-to-noise ratios and ln of the likelihood ratio.
+    batch
+        What was sampled, as the likelihood takes it.
+    whole
+        The same with what was integrated over.
+    log_likelihood
+        ln of the likelihood ratio that was sampled, ``(N,)``.
+    """
+
+    values: dict[str, Floats]
+    batch: LikelihoodBatch
+    whole: LikelihoodBatch
+    log_likelihood: Floats
+
+    def __len__(self) -> int:
+        return len(self.log_likelihood)
+
+
+def samples_of_posterior(
+    posterior: Posterior, cube: PriorCube, likelihood: Likelihood, integrated: Sequence[str], seed: int
+) -> Samples:
+    """As many samples as the posterior is worth.
+
+    Parameters
+    ----------
+    posterior
+        Over the unit cube.
+    cube
+        Its prior.
+    likelihood
+        That was sampled.
+    integrated
+        bilby's names of what it integrates over.
+    seed
+        Of the draws.
+    """
+    random = np.random.default_rng([_SEED, seed])
+    chosen = posterior.draw(int(posterior.effective), seed)
+    values = cube.unfolded(cube(posterior.points[chosen]), random)
+    batch = cube.batch(values)
+    whole = batch
+    if integrated:
+        drawn = likelihood.draw_marginalised(batch, seed=seed)
+        columns = batch.values.copy()
+        for name, numbers in drawn.parameters.items():
+            columns[:, _column(name)] = numbers
+        whole = LikelihoodBatch(columns)
+        if "luminosity_distance" in integrated:
+            values["luminosity_distance"] = whole["distance_mpc"]
+    values["reference_phase"] = np.mod(whole["reference_phase"], 4.0 * np.pi)
+    values["geocent_time"] = cube.trigger_time + values.pop("coalescence_time")
+    values |= likelihood.products(whole).columns()
+    return Samples(derived_parameters(values), batch, whole, posterior.log_likelihood[chosen])
+
+
+def _column(name: str) -> int:
+    from bnserve_protocol import LIKELIHOOD_NAMES
+
+    return LIKELIHOOD_NAMES.index(name)

@@ -1,0 +1,97 @@
+"""The result as one of bilby's, JSON or HDF5, for bilby and PESummary to read."""
+
+from __future__ import annotations
+
+import logging
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Literal
+
+import numpy as np
+
+from bnserve_posterior.events import EventInvalid
+from bnserve_posterior.priors import PriorCube
+from bnserve_posterior.results._samples import Samples
+from bnserve_posterior.sampling import Posterior
+
+
+def bilby_result(
+    label: str,
+    samples: Samples,
+    posterior: Posterior,
+    cube: PriorCube,
+    priors: Any,
+    *,
+    log_evidence: float,
+    noise_log_likelihood: float,
+    injection: Mapping[str, float] | None,
+    meta_data: Mapping[str, Any],
+    settings: Mapping[str, Any],
+    seconds: float,
+    integrated: Sequence[str],
+) -> Any:
+    """A ``CBCResult``.
+
+    Parameters
+    ----------
+    samples, posterior, cube, priors
+        What was found, and the prior as bilby has it.
+    log_evidence
+        ln of the evidence ratio, over the prior that the constraints leave.
+    noise_log_likelihood
+        Of the data without a signal.
+    injection
+        With bilby's names; None for none.
+    meta_data, settings, seconds
+        What the result says of itself; of the sampler; and its time.
+    integrated
+        Names of the prior that were integrated over.
+    """
+    import pandas
+    from bilby.gw.result import CBCResult
+
+    frame = pandas.DataFrame(samples.values)
+    frame["log_likelihood"] = samples.log_likelihood
+    names = ["geocent_time" if name == "coalescence_time" else name for name in cube.names]
+    known = [name for name in (*names, *integrated) if name in frame]
+    frame["log_prior"] = sum(np.asarray(priors[name].ln_prob(frame[name].to_numpy())) for name in known)
+    return CBCResult(
+        label=label,
+        outdir=".",
+        sampler="bnserve",
+        search_parameter_keys=names,
+        fixed_parameter_keys=list(cube.fixed),
+        constraint_parameter_keys=list(cube.constraints),
+        priors=priors,
+        sampler_kwargs=dict(settings),
+        injection_parameters=None if injection is None else dict(injection),
+        meta_data=dict(meta_data),
+        posterior=frame,
+        samples=frame[names].to_numpy(),
+        log_evidence=log_evidence + noise_log_likelihood,
+        log_evidence_err=posterior.log_evidence_error,
+        log_noise_evidence=noise_log_likelihood,
+        log_bayes_factor=log_evidence,
+        log_likelihood_evaluations=samples.log_likelihood,
+        num_likelihood_evaluations=posterior.likelihoods,
+        sampling_time=seconds,
+        version=f"bnserve={meta_data['versions']['bnserve']}",
+    )
+
+
+def save_result(result: Any, path: Path, kind: Literal["json", "hdf5"]) -> None:
+    """Write a result, whole or not at all.
+
+    Raises
+    ------
+    EventInvalid
+        The file cannot be written.
+    """
+    partial = path.with_name(f"part.{path.name}")
+    logging.getLogger("bilby").setLevel(logging.WARNING)
+    try:
+        result.save_to_file(filename=str(partial), extension=kind, overwrite=True)
+        os.replace(partial, path)  # noqa: PTH105  (of two names in one folder)
+    except OSError as error:
+        raise EventInvalid(f"The result cannot be written to {path}: {error.strerror or error}. Make room.") from error

@@ -1,0 +1,103 @@
+"""The folder of a run: whose it is, what is kept in it, and when it may be written to."""
+
+from __future__ import annotations
+
+import errno
+import json
+import os
+from pathlib import Path
+
+from bnserve_posterior.events import EventInvalid, OutputExists
+from bnserve_posterior.likelihoods import Choice
+from bnserve_protocol import decode_analysis, encode_analysis
+
+_RUN, _ANALYSIS, _CHECKPOINT = "run.json", "analysis.msgpack", "checkpoint.npz"
+
+
+class Folder:
+    """Where a run keeps what it has finished.
+
+    Parameters
+    ----------
+    path
+        Made if need be.
+    label
+        Begins the names of results.
+    ending
+        Of the result: ``"json"`` or ``"hdf5"``.
+    resume, force
+        Whether a run that is there goes on, or is thrown away.
+
+    Raises
+    ------
+    OutputExists
+        A run is there, and it was not said what becomes of it.
+    EventInvalid
+        The folder cannot be written.
+    """
+
+    def __init__(self, path: Path, label: str, ending: str, *, resume: bool = False, force: bool = False) -> None:
+        self.path = path
+        self.result = path / f"{label}_result.{ending}"
+        self.page = path / f"{label}.html"
+        self.checkpoint = path / _CHECKPOINT
+        if (path / _RUN).exists() and not (resume or force):
+            state = "a finished run" if self.result.exists() else "a run that has not finished"
+            raise OutputExists(
+                f"'{path}' holds {state}: go on with it with --resume, throw it away with --force, or name another "
+                "folder in [output]."
+            )
+        try:
+            if force and (path / _RUN).exists():
+                self._clear()
+            path.mkdir(parents=True, exist_ok=True)
+            self._write(_RUN, path.joinpath(_RUN).read_bytes() if (path / _RUN).exists() else b"{}")
+        except OSError as error:
+            raise EventInvalid(
+                f"Cannot write to '{path}': {error.strerror}. Choose another folder in [output]."
+            ) from error
+
+    def claim(self, fingerprint: str) -> None:
+        """Make the folder that of one run.
+
+        Raises
+        ------
+        OutputExists
+            It is another's.
+        """
+        found = json.loads((self.path / _RUN).read_text() or "{}").get("fingerprint")
+        if found not in (None, fingerprint):
+            raise OutputExists(
+                f"'{self.path}' holds a run of another configuration, other data, another model or another version: "
+                "throw it away with --force, or name another folder in [output]."
+            )
+        self._write(_RUN, json.dumps({"fingerprint": fingerprint}).encode())
+
+    def analysis(self) -> Choice | None:
+        """The likelihood that was built for this run."""
+        path = self.path / _ANALYSIS
+        if not path.exists():
+            return None
+        facts = json.loads((self.path / f"{_ANALYSIS}.json").read_text())
+        return Choice(decode_analysis(path.read_bytes()), [str(fact) for fact in facts])
+
+    def keep_analysis(self, choice: Choice) -> None:
+        """Keep it."""
+        self._write(f"{_ANALYSIS}.json", json.dumps(choice.facts).encode())
+        self._write(_ANALYSIS, b"".join(encode_analysis(choice.analysis)))
+
+    def _write(self, name: str, content: bytes) -> None:
+        """A whole file, or none; raises ``EventInvalid``."""
+        partial = self.path / f"part.{name}"
+        try:
+            partial.write_bytes(content)
+            partial.replace(self.path / name)
+        except OSError as error:
+            full = " Make room." if error.errno == errno.ENOSPC else ""
+            raise EventInvalid(f"Cannot write {self.path / name}: {os.strerror(error.errno or 0)}.{full}") from error
+
+    def _clear(self) -> None:
+        """Throw away what runs keep, and nothing else."""
+        kept = (self.path / name for name in (_RUN, _ANALYSIS, f"{_ANALYSIS}.json"))
+        for path in (*kept, self.checkpoint, self.result, self.page):
+            path.unlink(missing_ok=True)

@@ -1,0 +1,196 @@
+"""Priors as bilby writes them: read without running anything, over the unit cube, in coordinates that suit a binary."""
+
+import math
+
+import bilby
+import numpy as np
+import pytest
+
+from bnserve_inference import Detector
+from bnserve_posterior.events import EventInvalid
+from bnserve_posterior.priors import (
+    PriorCube,
+    coordinates_of,
+    derived_parameters,
+    parse_prior,
+    priors_of,
+    read_prior_file,
+)
+
+TRIGGER = 1187008882.43
+GIVEN = {
+    "chirp_mass": "bilby.gw.prior.UniformInComponentsChirpMass(name='chirp_mass', minimum=1.1, maximum=1.3)",
+    "mass_ratio": "UniformInComponentsMassRatio(minimum=0.5, maximum=1)",
+    "chi_1": "AlignedSpin(name='chi_1', a_prior=Uniform(minimum=0, maximum=0.4))",
+    "chi_2": "AlignedSpin(a_prior=Uniform(minimum=0, maximum=0.4))",
+    "lambda_1": (5.0, 5000.0),
+    "lambda_2": (5.0, 5000.0),
+    "luminosity_distance": "PowerLaw(alpha=2, minimum=1, maximum=75)",
+}
+
+
+def cube_of(integrated=("phase", "luminosity_distance"), quadrupole=True, **changes):
+    priors, _ = priors_of({**GIVEN, **changes}, TRIGGER)
+    return PriorCube(priors, TRIGGER, integrated, quadrupole)
+
+
+def points(cube, count=500, seed=1):
+    return np.random.default_rng(seed).random((count, len(cube)))
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "Uniform(minimum=0, maximum=2 * np.pi, boundary='periodic')",
+        "Cosine(name='x')",
+        "PowerLaw(alpha=-2.5, minimum=10, maximum=100 / 2 + 3)",
+        r"Uniform(minimum=1, maximum=2, unit='$M_{\odot}$', latex_label=None)",
+        "bilby.gw.prior.UniformSourceFrame(minimum=10, maximum=100, cosmology='Planck15', name='luminosity_distance')",
+        "bilby.core.prior.Interped(xx=[0, 1, 2], yy=[1.0, 2.0, 1.0], minimum=0, maximum=2)",
+        "Constraint(minimum=1, maximum=2)",
+    ],
+)
+def test_a_prior_is_what_bilby_makes_of_the_same_words(text):
+    name = "luminosity_distance" if "SourceFrame" in text else "x"
+    ours = parse_prior(name, text)
+    bilbys = bilby.core.prior.PriorDict({name: text})[name]
+    bilbys.name = ours.name
+    assert repr(ours) == repr(bilbys)
+
+
+@pytest.mark.parametrize(
+    ("text", "sentence"),
+    [
+        ("Uniform(minimum=__import__('os').getpid(), maximum=1)", "bilby has no prior"),
+        ("Uniform(minimum=(lambda: 0)(), maximum=1)", "bilby has no prior"),
+        ("os.system('true')", "must have names"),
+        ("bilby.core.utils.run_commandline(cl='true')", "bilby has no prior"),
+        ("Uniform(minimum=open, maximum=1)", "nothing called open"),
+        ("[x for x in (1,)]", "neither a number nor a prior"),
+        ("Uniform(0, 1)", "must have names"),
+        ("Uniforn(minimum=0, maximum=1)", r"did you mean Uniform\?"),
+        ("Uniform(minimum=0, maximum=1, colour=3)", "colour"),
+        ("Uniform(minimum=2 ** 99999999, maximum=1)", "neither a number nor a prior"),
+        ("'text'", "must be a prior of bilby or a number"),
+        ("(" * 1000, "none that bilby writes"),
+    ],
+)
+def test_what_is_no_prior_is_refused_and_nothing_runs(text, sentence):
+    with pytest.raises(EventInvalid, match=sentence):
+        parse_prior("x", text)
+
+
+@pytest.mark.filterwarnings("ignore:invalid escape sequence")  # of bilby, in a unit
+@pytest.mark.parametrize("name", ["aligned_spins_bns_tides_on.prior", "GW170817.prior"])
+def test_the_files_that_come_with_bilby_are_read_as_bilby_reads_them(name):
+    file = f"{bilby.gw.__path__[0]}/prior_files/{name}"
+    ours = read_prior_file(file)
+    bilbys = bilby.gw.prior.BNSPriorDict(filename=file)
+    assert {key: repr(value) for key, value in ours.items()} == {key: repr(value) for key, value in bilbys.items()}
+
+
+def test_what_goes_without_saying_is_said():
+    priors, remarks = priors_of(GIVEN, TRIGGER)
+    assert [line.split()[3] for line in remarks] == ["ra", "dec", "theta_jn", "psi", "phase", "geocent_time"]
+    assert (priors["geocent_time"].minimum, priors["geocent_time"].maximum) == (TRIGGER - 0.1, TRIGGER + 0.1)
+
+
+def test_columns_are_as_probable_as_bilby_says():
+    cube = cube_of(integrated=("phase",), quadrupole=False)
+    values = cube(points(cube, 20_000))
+    for name in cube.names:
+        samples = cube.priors[name].sample(20_000) if name != "coalescence_time" else None
+        if samples is not None:
+            assert np.quantile(values[name], [0.1, 0.5, 0.9]) == pytest.approx(
+                np.quantile(samples, [0.1, 0.5, 0.9]), abs=0.03 * np.ptp(samples)
+            )
+    assert values["coalescence_time"].min() > -0.1
+    assert values["coalescence_time"].max() < 0.1
+
+
+def test_times_are_known_to_less_than_a_nanosecond():
+    """GPS seconds as a number are known to 240 of them."""
+    cube = cube_of()
+    u = np.full((1, len(cube)), 0.5)
+    nearby = u.copy()
+    nearby[0, cube.names.index("coalescence_time")] += 1e-9
+    assert cube(nearby)["coalescence_time"][0] - cube(u)["coalescence_time"][0] == pytest.approx(2e-10, rel=1e-6)
+
+
+def test_constraints_leave_a_part_of_the_cube():
+    cube = cube_of(mass_1="Constraint(minimum=1.3, maximum=1.6)")
+    u = points(cube, 20_000)
+    values = cube(u)
+    allowed = cube.allowed(values)
+    heavier = derived_parameters(values)["mass_1"]
+    assert (allowed == ((heavier >= 1.3) & (heavier <= 1.6))).all()
+    assert math.exp(cube.log_allowed()) == pytest.approx(allowed.mean(), abs=0.02)
+    assert cube_of().log_allowed() == 0.0
+    with pytest.raises(EventInvalid, match="none meets the constraints"):
+        cube_of(mass_1="Constraint(minimum=3, maximum=4)").log_allowed()
+    with pytest.raises(EventInvalid, match="no 'mass_3' to be constrained"):
+        cube_of(mass_3="Constraint(minimum=3, maximum=4)").allowed(values)
+
+
+def test_half_of_the_polarisation_angle_is_sampled_where_the_other_half_is_the_same_and_given_back():
+    cube = cube_of()
+    values = cube(points(cube, 4000))
+    assert values["psi"].max() < 0.5 * math.pi
+    whole = cube.unfolded(values, np.random.default_rng(1))["psi"]
+    assert np.mean(whole > 0.5 * math.pi) == pytest.approx(0.5, abs=0.03)
+    assert np.allclose(np.mod(whole, 0.5 * math.pi), values["psi"])
+    assert cube_of(quadrupole=False)(points(cube))["psi"].max() > 0.5 * math.pi
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        ({"geocent_time": "Gaussian(mu=0, sigma=1)"}, "must be uniform"),
+        ({"chi_1": "Gaussian(mu=0, sigma=1)"}, "has no ends"),
+        ({"lambda_1": (5.0, 1.0)}, "two increasing numbers"),
+        ({"lambda_1": (5.0, math.inf)}, "two increasing numbers"),
+    ],
+)
+def test_priors_that_no_cube_has_are_refused(changes, sentence):
+    with pytest.raises(EventInvalid, match=sentence):
+        cube_of(**changes)
+
+
+NETWORK = [Detector.named(name) for name in ("H1", "L1", "V1")]
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        {},
+        {"chi_1": 0.01},
+        {"chi_2": 0.0, "lambda_1": 300.0},
+        {"ra": 3.4, "dec": -0.4},
+        {"geocent_time": TRIGGER},
+        {"mass_ratio": (1.0, 3.0)},
+        {"chirp_mass": (0.9, 2.0)},
+    ],
+)
+def test_coordinates_lead_back_and_their_volume_is_that_of_the_map(changes):
+    cube = cube_of(**changes)
+    coordinates = coordinates_of(cube, NETWORK)
+    u = 0.02 + 0.96 * points(cube, 40)
+    y, volume = coordinates.from_cube(u)
+    back, same = coordinates.to_cube(y)
+    np.testing.assert_allclose(back, u, atol=1e-9)
+    np.testing.assert_allclose(same, volume, atol=1e-6)
+    for row in range(3):
+        steps = 1e-6 * np.maximum(np.abs(y[row]), 0.1)
+        above, below = (coordinates.to_cube(y[row] + sign * np.diag(steps))[0] for sign in (1.0, -1.0))
+        jacobian = (above - below) / (2.0 * steps[:, None])
+        # phases are measured to 1e-7 of themselves by such steps
+        assert np.linalg.slogdet(jacobian)[1] == pytest.approx(volume[row], abs=2e-3)
+
+
+def test_places_of_no_binary_are_outside_of_the_cube():
+    cube = cube_of()
+    coordinates = coordinates_of(cube, NETWORK)
+    y = np.random.default_rng(1).standard_normal((1000, len(cube)))
+    u = coordinates.to_cube(1e3 * y)[0]
+    assert np.isfinite(u).all()
+    assert ((u < 0.0).any(axis=1) | (u > 0.0).all(axis=1)).all()
