@@ -25,7 +25,7 @@ from tests.architecture.rooms import ROOT, room_environment
 from tests.certificates import certificates
 
 TOKEN = "a-long-enough-token"
-PUBLIC = {"train", "lal", "roq", "bilby", "progress", "buckets", "oidc", "ray"}
+PUBLIC = {"analyse", "train", "lal", "roq", "bilby", "progress", "buckets", "oidc", "otel", "ray"}
 """Extras of the repository for users; the others are for its tests and measurements, or are of the past."""
 
 
@@ -194,6 +194,14 @@ sys.meta_path.insert(0, Blocker())
     for extra in ("demo", "train", "roq"):
         assert f"warning extra {extra}: not there (matplotlib" in done.stdout
     assert "pip install '.[train]'" in done.stdout
+
+
+def test_settings_that_need_an_extra(doctor, tmp_path, monkeypatch):
+    settings = tmp_path / "bnserve.toml"
+    settings.write_text('issuers = [{ issuer = "https://a.example", audience = ["b"] }]\n')
+    assert "packages" in doctor("--config", settings)["ok"]
+    monkeypatch.setitem(sys.modules, "jwt", None)
+    assert "pip install '.[oidc]'" in doctor("--config", settings)["fault"]["packages"]
 
 
 def test_a_kernel_that_does_not_load():

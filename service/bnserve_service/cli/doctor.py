@@ -80,14 +80,14 @@ def _findings(options: argparse.Namespace) -> Iterator[Finding]:
 
 def _of_server(options: argparse.Namespace, settings: Settings) -> Iterator[Finding]:
     from bnserve_service.cli.places import server_address, token_of_environment
-    from bnserve_service.doctor import encryption, machine, server, stores
+    from bnserve_service.doctor import encryption, installation, machine, server, stores
     from bnserve_service.doctor.findings import looking
     from bnserve_store import ModelStore
 
     yield from looking("stores", lambda: stores.stores(settings))
     for what, check in (
         ("shared folder", machine.shared_folder), ("memory", machine.memory), ("processors", machine.processors),
-        ("certificate", encryption.certificate_files), ("port", server.port),
+        ("packages", installation.wanted), ("certificate", encryption.certificate_files), ("port", server.port),
     ):  # fmt: skip
         yield from looking(what, lambda check=check: check(settings))  # type: ignore[misc]  # a default has no type
     if options.url:

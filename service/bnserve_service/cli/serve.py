@@ -66,13 +66,13 @@ def run(options: argparse.Namespace) -> int:
     if given is not None:
         settings = type(settings).model_validate(settings.model_dump() | given.settings())
     if settings.workers > 1:
-        from bnserve_service.http.tracing import Tracing
         from bnserve_service.models.loading import loader_of
         from bnserve_service.models.registry import Registry
+        from bnserve_service.wanted_packages import check_packages
 
         # What is not there is said before anybody can connect.
         loader_of(settings, Registry()).list_source()
-        Tracing.of(settings)
+        check_packages(settings)
         from bnserve_service.workers.supervisor import become_supervisor
 
         become_supervisor(settings, announce, given)

@@ -8,6 +8,8 @@ from importlib import metadata
 
 from bnserve_protocol import __version__
 from bnserve_service.doctor.findings import Findings, fault, ok, warning
+from bnserve_service.settings import Settings
+from bnserve_service.wanted_packages import check_packages
 
 ROOMS = ("protocol", "store", "surrogate", "inference", "service", "client")
 """Distributions ``bnserve-...`` of one repository and one version."""
@@ -20,6 +22,7 @@ EXTRAS: dict[str, tuple[tuple[str, ...], str]] = {
         "`bnserve train`, `validate` and `search`",
     ),
     "roq": (("joblib", "matplotlib", "tqdm"), "`bnserve roq build`"),
+    "analyse": (("bnserve_posterior",), "from a likelihood to a posterior"),
     "bilby": (("bilby", "lal"), "bnserve_client.bilby"),
     "progress": (("tqdm",), "progress bars of the client"),
     "buckets": (("fsspec",), "model stores behind a URL"),
@@ -81,6 +84,13 @@ def extras() -> Findings:
             f"if you want that, in a checkout of bnserve: {command}",
         )  # fmt: skip
     yield ok("extras", f"there are {', '.join(there) or 'none'}")
+
+
+def wanted(settings: Settings) -> Findings:
+    """What these settings ask for is installed, also where it is of an extra."""
+    names = check_packages(settings)
+    if names:
+        yield ok("packages", f"those that {' and '.join(names)} need are there")
 
 
 def _is_there(module: str) -> bool:
