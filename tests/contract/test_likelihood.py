@@ -4,6 +4,7 @@ import asyncio
 import functools
 
 import astropy.units as u
+import msgspec
 import numpy as np
 import pandas as pd
 import pytest
@@ -53,6 +54,19 @@ def with_nodes(kind, **settings):
     return Analysis(settings=settings, arrays=arrays)
 
 
+def moving_bins():
+    """The same, in detectors that move, one of which has long arms."""
+    given = with_nodes("relative_binning")
+    arrays, nodes = dict(given.arrays), given.arrays["linear_nodes"]
+    arrays["quadratic_nodes"] = nodes
+    for name in DETECTORS:
+        arrays[f"quadratic_weights/{name}"] = np.linspace(0.5, 1.0, len(nodes)) * 1e46
+    arrays["reference_phases"] = -np.cumsum(nodes)[None] % 6.0
+    arrays["reference_times"] = -5e3 * (nodes[None] / 20.0) ** (-8.0 / 3.0)
+    arrays["arms/V1"] = 4e4 * np.eye(3)[:2]
+    return Analysis(settings=msgspec.structs.replace(given.settings, response="moving"), arrays=arrays)
+
+
 SUMS = TimeMarginalisation(minimum=-0.05, maximum=0.05, step=1e-3)
 FAR = DistanceMarginalisation(minimum=10.0, maximum=100.0)
 ANALYSES = {
@@ -66,6 +80,8 @@ ANALYSES = {
         phase_marginalisation=True,
         distance_marginalisation=tabulated_distance_prior(np.sin, minimum=0.1, maximum=3.0),
     ),
+    "detectors that move": lambda model: moving_bins(),
+    "detectors that move, on the full grid": lambda model: small_analysis(model, f_max=64.0, response="moving"),
     "time": lambda model: with_nodes("relative_binning", time_marginalisation=SUMS),
     "time and phase on the full grid": lambda model: small_analysis(
         model, f_max=64.0, phase_marginalisation=True, time_marginalisation=SUMS

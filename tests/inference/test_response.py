@@ -17,6 +17,7 @@ from bnserve_inference import (
     roq_analysis,
     simulate_data,
 )
+from bnserve_inference._passing import passing_times
 from bnserve_protocol import (
     Analysis,
     AnalysisInvalid,
@@ -229,6 +230,18 @@ def test_likelihoods_with_arms_that_are_not_short(seven, response):
     travelled = decode_analysis(b"".join(encode_analysis(exact)))
     assert travelled.digest == exact.digest
     assert (likelihood(seven, travelled).log_likelihood(samples) == values).all()
+
+
+def test_modes_of_an_order_pass_frequencies_together(seven):
+    f, binary = np.geomspace(5.0, 1000.0, 40), LikelihoodBatch.coerce(NEAR).waveform_batch()
+    times = {
+        mode: passing_times(seven, binary, f, [mode], "merger")[0, 0]
+        for mode in ((2, 2), (3, 2), (2, 1), (3, 1), (3, 3))
+    }
+    assert np.abs(times[3, 2] - times[2, 2]).max() < 1e-4
+    assert np.abs(times[3, 1] - times[2, 1]).max() < 1e-4
+    assert np.allclose(times[2, 2], -seven.time_until_merger(f, binary)[0], rtol=1e-6, atol=1e-4)
+    assert np.abs(times[3, 3] / times[2, 2] - 1.0).min() > 1.0
 
 
 def test_a_moving_row_has_the_same_bits_in_every_batch(seven, moved):

@@ -10,11 +10,12 @@ import pytest
 
 import bnserve_inference.kernel._contraction as contraction
 import bnserve_inference.modes_kernel._contraction as contraction_of_modes
+import bnserve_inference.moving_kernel._contraction as contraction_of_moving
 import bnserve_surrogate.kernel._evaluate as surrogate
 import bnserve_surrogate.kernel._loader as loader
 import bnserve_surrogate.precession._twist as precession
 import bnserve_surrogate.tangents._call as tangents
-from bnserve_inference import likelihood
+from bnserve_inference import Detector, likelihood
 from bnserve_protocol import Calibration, EvaluationOptions, ParameterBatch
 from bnserve_surrogate import Model
 from bnserve_surrogate.kernel.build import TOOLCHAIN_PREFIX, toolchain
@@ -118,4 +119,19 @@ def test_the_contraction_of_several_modes_is_what_its_sources_compile_to(tmp_pat
         shipped = ours.log_likelihood(given)
         with monkeypatch.context() as patch:
             patch.setattr(contraction_of_modes, "load_contraction", lambda: again)
+            assert_close(shipped, ours.log_likelihood(given))
+
+
+def test_the_contraction_of_moving_detectors_is_what_its_sources_compile_to(tmp_path, monkeypatch):
+    file = rebuilt("bnserve_inference.moving_kernel.build", contraction_of_moving.ASSEMBLY, tmp_path)
+    again = loader.load_assembly(file, contraction_of_moving.ENTRY_POINT)
+    model = Model.default()
+    detectors = ["H1", Detector.named("CE40", finite_arms=True)]
+    data, batch = network(model, detectors, response="moving"), columns(20)
+    options = {"calibration": Calibration(nodes=5, f_min=F_MIN, f_max=F_MAX), "response": "moving"}
+    for analysis in (full(data, **options), binned(model, data, **options)):
+        ours, given = likelihood(model, analysis), batch
+        shipped = ours.log_likelihood(given)
+        with monkeypatch.context() as patch:
+            patch.setattr(contraction_of_moving, "load_contraction", lambda: again)
             assert_close(shipped, ours.log_likelihood(given))

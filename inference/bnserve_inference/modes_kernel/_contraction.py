@@ -57,7 +57,6 @@ class ModesContraction:
         weights of their place in the arrays.
     """
 
-    _load = staticmethod(load_contraction)
     _workspace = _workspace
 
     def __init__(self, analysis: Analysis, group_of: Sequence[int]) -> None:
@@ -119,9 +118,12 @@ class ModesContraction:
             times, int(np.float64(step).view(np.int64)), address_of(products), address_of(pairs),
             0 if terms is None else address_of(terms), workspace.scratch_at, *more,
         ]  # fmt: skip
-        if self._load()(*workspace.addresses) != 0:
+        if self._loaded()(*workspace.addresses) != 0:
             raise RuntimeError("The contraction stopped with an error.")
         return GroupProducts(data=products, pairs=pairs, spectrum=terms)
+
+    def _loaded(self) -> Callable[[int, int, int], int]:
+        return load_contraction()
 
 
 def _parts(array: Complex) -> Floats:

@@ -1,5 +1,5 @@
 """The compiled contraction of signals in detectors that move while the signals last, or whose arms are not short."""
 
-from bnserve_inference.moving_kernel._contraction import MovingContraction
+from bnserve_inference.moving_kernel._contraction import MovingContraction, load_contraction
 
-__all__ = ["MovingContraction"]
+__all__ = ["MovingContraction", "load_contraction"]

@@ -32,7 +32,6 @@ def load_contraction() -> Callable[[int, int, int], int]:
 class MovingContraction(ModesContraction):
     """As :class:`ModesContraction`, of one mode or several, in detectors that move or whose arms are not short."""
 
-    _load = staticmethod(load_contraction)
     _workspace = Workspace(ARGUMENTS)
 
     def __init__(self, analysis: Analysis, group_of: Sequence[int]) -> None:
@@ -75,6 +74,9 @@ class MovingContraction(ModesContraction):
             held, stride = np.empty((groups + 1, self._width)), 0
         more = [*self._more, stride, address_of(held)]
         return self(h, plus, cross, sky, calibration, times, step, spectrum, more)
+
+    def _loaded(self) -> Callable[[int, int, int], int]:
+        return load_contraction()
 
 
 def _slopes(f: Floats) -> Floats:

@@ -61,12 +61,13 @@ def _installed(distribution: str) -> str | None:
 
 def kernels() -> Findings:
     """The compiled code of waveforms and of likelihoods can be loaded on this processor."""
-    from bnserve_inference import kernel, modes_kernel
+    from bnserve_inference import kernel, modes_kernel, moving_kernel
     from bnserve_surrogate.kernel import load_kernel
 
     load_kernel()
     kernel.load_contraction()
     modes_kernel.load_contraction()
+    moving_kernel.load_contraction()
     yield ok("kernels", f"waveforms and likelihoods, as machine code for {platform.machine()}")
 
 
