@@ -19,9 +19,10 @@ from scipy.interpolate import CubicSpline
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
-_TAPS, _BETA = 32, 12.0
-"""Of the windowed sinc that samples are interpolated with, at twice the rate that they need: 1e-11."""
-_SHOULDER = 1.3
+_TAPS, _BETA, _PHASES = 20, 16.0, 16384
+"""Of the windowed sinc that samples are interpolated with, at twice the rate that they need, and how finely it is
+tabulated between two samples: 1e-8."""
+_SHOULDER = 1.25
 """Frequencies an octave is faded in and out over, beside what is kept of it."""
 _AFTER = 8.0
 """Seconds kept after the coalescence."""
@@ -97,10 +98,16 @@ def _faded(f: Floats, first: float, low: float, high: float, last: float) -> Flo
 
 def _interpolated(samples: Complex, places: Floats) -> Complex:
     """Periodic samples at places between them."""
-    first = np.floor(places).astype(np.int64) - _TAPS // 2 + 1
+    phases = np.arange(_PHASES + 2) / _PHASES
+    first = np.floor(places).astype(np.int64)
+    at = (places - first) * _PHASES
+    cell = at.astype(np.int64)
+    between = at - cell
     found = np.zeros(len(places), dtype=np.complex128)
-    for tap in range(_TAPS):
-        offset = places - (first + tap)
+    for tap in range(1 - _TAPS // 2, _TAPS // 2 + 1):
+        offset = phases - tap
         window = np.i0(_BETA * np.sqrt(np.clip(1.0 - (2.0 * offset / _TAPS) ** 2, 0.0, None))) / np.i0(_BETA)
-        found += samples[(first + tap) % len(samples)] * (np.sinc(offset) * window)
+        kernel = np.sinc(offset) * window
+        weights = kernel[cell] + between * (kernel[1:] - kernel[:-1])[cell]
+        found += samples[(first + tap) % len(samples)] * weights
     return found
