@@ -1,18 +1,19 @@
 """How right ln L is in detectors that move, against brute force, and what it costs.
 
-    python -m benchmarks.inference.moving                      # the triangle of the Einstein Telescope, 8192 s from 5 Hz
-    python -m benchmarks.inference.moving --case event         # three detectors, 128 s from 23 Hz
+    python -m benchmarks.inference.moving                  # the Einstein Telescope's triangle, 8192 s from 5 Hz
+    python -m benchmarks.inference.moving --case event     # three detectors, 128 s from 23 Hz
     python -m benchmarks.inference.moving --modes all --points 20
 
-A signal of signal-to-noise ratio 250 (32) is projected by :mod:`.brute_force` and put into seeded noise. Relative binning
-with ``response="moving"`` is sampled: a population of 256, begun around the signal, makes moves of differential evolution
-(ter Braak 2006) in 12 parameters, flat in each, with the phase integrated; its last generation, with phases drawn, are
-the posterior points. At each of them ln L is evaluated with either response, and once more with the response by brute
-force and sums over bins so narrow that they are sums over the full grid (:mod:`.fine_sums`).
+A signal of signal-to-noise ratio 250 (32) is projected by :mod:`.brute_force` and put into seeded noise. Relative
+binning with ``response="moving"`` is sampled: a population of 256, begun around the signal, makes moves of differential
+evolution (ter Braak 2006) in 12 parameters, flat in each, with the phase integrated; its last generation, with phases
+drawn, are the posterior points. At each of them ln L is evaluated with either response, and once more with the response
+by brute force and sums over bins so narrow that they are sums over the full grid (:mod:`.fine_sums`).
 
-- ``moving_max_abs_delta_lnl``, ``static_max_abs_delta_lnl``: the largest differences from it; ``static_max_of_difference`` after
-  the mean is taken out, which a posterior does not see.
-- ``moving_us``, ``static_us``: microseconds for one ln L in one thread, 4096 samples a call, the least disturbed of rounds.
+- ``moving_max_abs_delta_lnl``, ``static_max_abs_delta_lnl``: the largest differences from it; ``*_max_of_difference``
+  after their mean is taken out, which a posterior does not see.
+- ``moving_us``, ``static_us``: microseconds for one ln L in one thread, 4096 samples a call, the least disturbed of
+  rounds.
 - ``making_s``: seconds for the analysis with the moving response; ``edges``: its bins.
 """
 
