@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import lal
 import numpy as np
@@ -95,8 +95,11 @@ class BruteForce:
         h = self._model.predict_factored(inside, self._binary, options=self._options([mode])).h[0]
         return np.array(h, dtype=np.complex128)
 
-    def _seconds(self, mode: ModeName):  # type: ignore[no-untyped-def]  # noqa: ANN202  (a function of a frequency)
-        return lambda f: 1.1 * float(self._model.time_until_merger(2.0 / mode[1] * f, self._binary)[0])
+    def _seconds(self, mode: ModeName) -> Callable[[float], float]:
+        def seconds(f: float) -> float:
+            return 1.1 * float(np.ravel(self._model.time_until_merger(2.0 / mode[1] * f, self._binary))[0])
+
+        return seconds
 
     def _options(self, modes: Sequence[ModeName]) -> EvaluationOptions:
         return EvaluationOptions(alignment="merger", modes=tuple(modes))
@@ -175,4 +178,5 @@ def brute_log_likelihood(
 def one_of(batch: LikelihoodBatch | ParameterBatch, row: int) -> LikelihoodParameters:
     """A row of a batch."""
     names = [name for name in TRUTH.__dataclass_fields__ if not name.startswith("calibration")]
-    return LikelihoodParameters(**{name: float(batch[name][row]) for name in names})
+    values: dict[str, Any] = {name: float(batch[name][row]) for name in names}
+    return LikelihoodParameters(**values)
