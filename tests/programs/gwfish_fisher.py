@@ -126,7 +126,7 @@ def compare_precession(grid: np.ndarray) -> None:
     there = int(np.argmin(np.abs(np.squeeze(grid) - 50.0)))
     ratio = ours[there] / theirs[there]
     print(f"Spins in the orbital plane: at 50 Hz {abs(ratio)} times LAL's IMRPhenomXP_NRTidalv2, {np.angle(ratio)} rad")
-    if not (np.abs(abs(ratio) - 1.0).max() < 0.05 and np.abs(np.angle(ratio)).max() < 0.1):
+    if not (np.abs(abs(ratio) - 1.0).max() < 1e-3 and np.abs(np.angle(ratio)).max() < 1e-3):
         sys.exit("Spins in the orbital plane are others than LAL's.")
     frame = pd.DataFrame({name: [value] for name, value in (BINARY | SPINNING).items()})
     _, found = errors(detection.Network(["ET"]), frame, "default", Quadrupole, ["chirp_mass", "tilt_1", "phi_jl"])
