@@ -3,6 +3,7 @@
     python -m benchmarks.inference.moving                  # the Einstein Telescope's triangle, 8192 s from 5 Hz
     python -m benchmarks.inference.moving --case event     # three detectors, 128 s from 23 Hz
     python -m benchmarks.inference.moving --modes all --points 20
+    python -m benchmarks.inference.moving --case event --pycbc PYTHON     # of an environment of :mod:`.pycbc_peer`
 
 A signal of signal-to-noise ratio 250 (32) is projected by :mod:`.brute_force` and put into seeded noise. Relative
 binning with ``response="moving"`` is sampled: a population of 256, begun around the signal, makes moves of differential
@@ -14,6 +15,8 @@ by brute force and sums over bins so narrow that they are sums over the full gri
   after their mean is taken out, which a posterior does not see.
 - ``moving_us``, ``static_us``: microseconds for one ln L in one thread, 4096 samples a call, the least disturbed of
   rounds.
+- ``pycbc_rotating_max_abs_delta_lnl``, ``pycbc_standing_max_abs_delta_lnl``: between PyCBC's relative model, with and
+  without ``earth_rotation``, and ours, moving and static, at the same points, the phase integrated.
 - ``making_s``: seconds for the analysis with the moving response; ``edges``: its bins.
 """
 
@@ -21,8 +24,11 @@ from __future__ import annotations
 
 import argparse
 import json
+import subprocess
 import sys
+import tempfile
 import time
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -167,7 +173,39 @@ def compared(
     return result
 
 
-def measured(name: str, modes: tuple[ModeName, ...], points: int, generations: int) -> dict[str, Any]:
+def compared_with_pycbc(
+    python: str, name: str, found: Observed, model: Model, points: LikelihoodBatch
+) -> dict[str, float]:
+    """Differences between PyCBC's likelihoods and ours."""
+    case, truth = CASES[name], LikelihoodBatch.coerce(found.truth)
+    rows = np.concatenate([[[float(truth[each][0]) for each in LIKELIHOOD_NAMES]], points.values])
+    arrays: dict[str, Any] = {
+        "trigger_time": TRIGGER, "delta_f": 1.0 / case.duration, "start_time": found.data[0].start_time,
+        "f_min": case.f_min, "f_max": case.f_max, "detectors": np.array(case.detectors),
+        "names": np.array(LIKELIHOOD_NAMES), "points": rows,
+    }  # fmt: skip
+    for each in found.data:
+        arrays[f"strain_{each.name}"] = each.strain
+        arrays[f"psd_{each.name}"] = np.where(np.isfinite(each.asd), each.asd, 1.0) ** 2
+    with tempfile.TemporaryDirectory() as folder:
+        file = Path(folder) / "case.npz"
+        np.savez(file, **arrays)
+        peer = [python, str(Path(__file__).with_name("pycbc_peer.py")), str(file)]
+        answer = subprocess.run(peer, capture_output=True, text=True, check=False)
+    if answer.returncode:
+        raise RuntimeError(answer.stderr[-2000:])
+    theirs = json.loads(answer.stdout.splitlines()[-1])
+    result = {}
+    for rotation, (label, response) in {"True": ("rotating", "moving"), "False": ("standing", "static")}.items():
+        analysis = analysis_of(name, found, model, ((2, 2),), response, phase_marginalisation=True)
+        difference = np.array(theirs[rotation][1:]) - likelihood(model, analysis).log_likelihood(points)
+        result[f"pycbc_{label}_max_abs_delta_lnl"] = round(float(np.abs(difference).max()), 4)
+    return result
+
+
+def measured(
+    name: str, modes: tuple[ModeName, ...], points: int, generations: int, pycbc: str | None
+) -> dict[str, Any]:
     """The figures of one case."""
     model, case = Model.default(), CASES[name]
     found = observed(model, case, modes, SEED)
@@ -184,6 +222,8 @@ def measured(name: str, modes: tuple[ModeName, ...], points: int, generations: i
     many = samples.rows(random.integers(0, len(samples), _ROWS))
     result |= {f"{response}_us": cost(each, many) for response, each in bound.items()}
     chosen = samples.rows(random.permutation(len(samples))[:points])
+    if pycbc is not None:
+        result |= compared_with_pycbc(pycbc, name, found, model, chosen)
     return result | compared(model, case, modes, found, chosen, bound)
 
 
@@ -194,10 +234,11 @@ def main() -> None:
     parser.add_argument("--modes", choices=["quadrupole", "all"], default="quadrupole")
     parser.add_argument("--points", type=int, default=200)
     parser.add_argument("--generations", type=int, default=1500)
+    parser.add_argument("--pycbc", metavar="PYTHON", help="a Python that has PyCBC; (2, 2) alone")
     arguments = parser.parse_args()
     known = sorted((int(degree), int(order)) for degree, order in Model.default().description.modes)
     modes = ((2, 2),) if arguments.modes == "quadrupole" else tuple(known)
-    print(json.dumps(measured(arguments.case, modes, arguments.points, arguments.generations)))
+    print(json.dumps(measured(arguments.case, modes, arguments.points, arguments.generations, arguments.pycbc)))
 
 
 if __name__ == "__main__":
