@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_posterior.sampling._errors import LikelihoodNotFinite
-from bnserve_posterior.sampling._problem import Coordinates, Problem
+from bnserve_posterior.sampling._problem import Problem
 
 Floats = NDArray[np.float64]
 
@@ -14,19 +14,12 @@ Floats = NDArray[np.float64]
 class Evaluator:
     """A problem's likelihood, ``batch`` points in a call at most; how many were evaluated is counted."""
 
-    def __init__(self, problem: Problem, batch: int, likelihoods: int = 0) -> None:
-        self._problem, self._batch = problem, batch
-        self.dimensions = problem.dimensions
-        self.components = 25
-        self.likelihoods = likelihoods
-
-    @property
-    def coordinates(self) -> Coordinates:
-        """In which moves are made."""
-        return self._problem.coordinates
+    def __init__(self, problem: Problem, batch: int) -> None:
+        self.problem, self._batch = problem, batch
+        self.likelihoods = 0
 
     def __call__(self, points: Floats) -> Floats:
-        """ln of the likelihood, ``(N,)``.
+        """ln of the likelihood at points ``(N, D)``, ``(N,)``.
 
         Raises
         ------
@@ -37,7 +30,7 @@ class Evaluator:
         return np.concatenate([np.empty(0), *parts])
 
     def _part(self, points: Floats) -> Floats:
-        found = np.asarray(self._problem.log_likelihood(points), dtype=np.float64)
+        found = np.asarray(self.problem.log_likelihood(points), dtype=np.float64)
         self.likelihoods += len(points)
         if found.shape != (len(points),):
             raise LikelihoodNotFinite(
@@ -47,7 +40,7 @@ class Evaluator:
         if len(wrong):
             where = np.array2string(points[wrong[0]], separator=", ", max_line_width=10_000)
             raise LikelihoodNotFinite(
-                f"ln of the likelihood is {found[wrong[0]]} at the point {where} of the unit cube, and at "
+                f"ln of the likelihood is {found[wrong[0]]} at the point {where} of the unit cube, and no number at "
                 f"{len(wrong) - 1} others of {len(points)}: return -inf where it is zero, and a number elsewhere."
             )
         return found

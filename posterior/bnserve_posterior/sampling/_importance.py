@@ -1,43 +1,44 @@
 """Importance sampling that adapts: it makes a posterior that a population found right, tails and evidence.
 
 A mixture of Student distributions, wider than what it is fitted to, is fitted to the population, then to weighted draws
-from itself (population Monte Carlo, Cappe et al. 2008), until weights are no more equal than before. The posterior and
-its evidence are from draws that no mixture was fitted to: they are independent, and their errors are what they say.
+from itself (population Monte Carlo, Cappe et al. 2008), in rounds that become larger. In these rounds the weight of a
+draw is its likelihood over the mean of the densities of all rounds so far (Veach, Guibas 1995; Cornuet et al. 2012).
+The posterior and its evidence are from draws that no mixture was fitted to: from two mixtures, of two populations that
+know nothing of each other, and weighted by the mean of both densities. They are independent, and their errors are what
+they say.
 """
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import logsumexp
 
-from bnserve_posterior.sampling import _proposals
 from bnserve_posterior.sampling._evaluation import Evaluator
-from bnserve_posterior.sampling._mixture import Mixture
 from bnserve_posterior.sampling._pareto import pareto_k
-from bnserve_posterior.sampling._proposals import Places
+from bnserve_posterior.sampling._problem import Problem
+from bnserve_posterior.sampling._proposals import Proposal, inside
 
 Floats = NDArray[np.float64]
+_COMPONENTS = 25
+"""Of a mixture: measured with a binary neutron star; ten are worth a little less, fifty no more."""
+_ROUNDS = (4, 8, 12)
+"""Draws of a round for each particle."""
 
 
 class Draws(NamedTuple):
-    """Places of the prior that were drawn, ln likelihoods and ln weights ``(N,)``, and how many were drawn, with those
-    outside of the prior: the sum of the weights over that number is the evidence."""
+    """Draws from R proposals: points of the cube ``(N, D)``, ln likelihoods ``(N,)``, the number of the proposal each
+    is from ``(N,)``, ln of each proposal's density there ``(R, N)``, and how many each drew, with those outside of the
+    prior, ``(R,)``."""
 
-    places: Places
+    points: Floats
     values: Floats
-    log_weights: Floats
-    drawn: int
-
-    def joined(self, other: Draws) -> Draws:
-        """With draws from the same mixture."""
-        return Draws(
-            Places(*(np.concatenate(pair) for pair in zip(self.places, other.places, strict=True))),
-            np.concatenate([self.values, other.values]),
-            np.concatenate([self.log_weights, other.log_weights]),
-            self.drawn + other.drawn,
-        )
+    origins: NDArray[np.int64]
+    densities: Floats
+    counts: NDArray[np.int64]
 
 
 class Weighted(NamedTuple):
@@ -50,30 +51,78 @@ class Weighted(NamedTuple):
     k_hat: float
 
 
-def draw(evaluate: Evaluator, mixture: Mixture, count: int, random: np.random.Generator) -> Draws:
-    """So many draws from a mixture and the prior."""
-    drawn = _proposals.draw(mixture, count, evaluate.coordinates, random)
-    inside = drawn.inside()
-    places = Places(*(each[inside] for each in drawn))
-    values = evaluate(places.points)
-    return Draws(places, values, values + places.volumes - _proposals.log_density(mixture, places), count)
+def draw(
+    evaluate: Evaluator, proposals: Sequence[Proposal], counts: Sequence[int], random: np.random.Generator
+) -> Draws:
+    """So many draws from each of the proposals."""
+    drawn = [proposal.draw(count, random) for proposal, count in zip(proposals, counts, strict=True)]
+    some = [points[inside(points)] for points in drawn]
+    points = np.concatenate(some)
+    origins = np.repeat(np.arange(len(some)), [len(each) for each in some])
+    densities = np.array([proposal.log_density(points) for proposal in proposals])
+    return Draws(points, evaluate(points), origins, densities, np.array(counts, dtype=np.int64))
+
+
+def joined(one: Draws, other: Draws) -> Draws:
+    """All draws from the same proposals."""
+    return Draws(
+        np.concatenate([one.points, other.points]),
+        np.concatenate([one.values, other.values]),
+        np.concatenate([one.origins, other.origins]),
+        np.concatenate([one.densities, other.densities], axis=1),
+        one.counts + other.counts,
+    )
 
 
 def weighted(draws: Draws) -> Weighted:
-    """What the draws say."""
-    top = draws.log_weights.max()
-    weights = np.exp(draws.log_weights - top)
-    total, squares = weights.sum(), np.sum(weights**2)
-    variance = (squares / draws.drawn - (total / draws.drawn) ** 2) / draws.drawn
-    error = float(np.sqrt(variance) / (total / draws.drawn))
-    evidence = float(top + np.log(total / draws.drawn))
-    outside = np.concatenate([weights, np.zeros(draws.drawn - len(weights))])
-    return Weighted(weights / total, evidence, error, float(total**2 / squares), pareto_k(outside))
+    """What all the draws say together."""
+    shares = draws.counts / draws.counts.sum()
+    mean = logsumexp(draws.densities, axis=0, b=shares[:, None])
+    return _weighted(draws.values - mean, int(draws.counts.sum()))
 
 
-def fitted(evaluate: Evaluator, draws: Draws, components: int, random: np.random.Generator) -> Mixture:
-    """A mixture fitted to weighted draws; none counts for more than the root of their number (Ionides 2008)."""
-    log_weights = draws.log_weights - draws.log_weights.max()
-    weights = np.exp(log_weights)
-    weights = np.minimum(weights, weights.mean() * np.sqrt(len(weights)))
-    return Mixture.fit(draws.places.y, weights / weights.sum(), components, random)
+def weighted_alone(draws: Draws, origin: int) -> Weighted:
+    """What the draws from one proposal say."""
+    mine = draws.origins == origin
+    return _weighted(draws.values[mine] - draws.densities[origin, mine], int(draws.counts[origin]))
+
+
+def _weighted(log_weights: Floats, count: int) -> Weighted:
+    top = log_weights.max(initial=-np.inf)
+    if top == -np.inf:  # nothing possible was drawn
+        return Weighted(np.zeros(len(log_weights)), -np.inf, np.inf, 0.0, np.inf)
+    weights = np.exp(log_weights - top)
+    total, squares = float(weights.sum()), float(np.sum(weights**2))
+    error = np.sqrt(max(0.0, squares / total**2 - 1.0 / count))
+    outside = np.concatenate([weights, np.zeros(count - len(weights))])
+    evidence = float(top + np.log(total / count))
+    return Weighted(weights / total, evidence, float(error), total**2 / squares, pareto_k(outside))
+
+
+def adapted(evaluate: Evaluator, points: Floats, particles: int, random: np.random.Generator) -> Proposal:
+    """A proposal fitted to a population ``(N, D)``, and then to draws from itself."""
+    uniform = np.full(len(points), 1.0 / len(points))
+    proposals = [Proposal.fit(evaluate.problem, points, uniform, _COMPONENTS, random)]
+    counts = [size * particles for size in _ROUNDS]
+    points, values, densities = points[:0], np.empty(0), np.empty((0, 0))
+    for number, count in enumerate(counts):
+        fresh = draw(evaluate, proposals[-1:], [count], random)
+        of_fresh = [proposal.log_density(fresh.points) for proposal in proposals[:-1]]
+        of_old = proposals[-1].log_density(points) if number else np.empty(0)
+        densities = np.concatenate(
+            [np.concatenate([densities, of_old[None]]), np.array([*of_fresh, fresh.densities[0]])], axis=1
+        )
+        points, values = np.concatenate([points, fresh.points]), np.concatenate([values, fresh.values])
+        every = np.array(counts[: number + 1], dtype=np.int64)
+        so_far = Draws(points, values, np.zeros(len(values), dtype=np.int64), densities, every)
+        proposals.append(refitted(evaluate.problem, so_far, random))
+    return proposals[-1]
+
+
+def refitted(problem: Problem, draws: Draws, random: np.random.Generator) -> Proposal:
+    """A proposal fitted to draws; none counts for more than the root of their number (Ionides 2008)."""
+    weights = weighted(draws).weights
+    if not weights.any():
+        weights = np.full(len(weights), 1.0 / len(weights))
+    weights = np.minimum(weights, 1.0 / np.sqrt(len(weights)))
+    return Proposal.fit(problem, draws.points, weights / weights.sum(), _COMPONENTS, random)

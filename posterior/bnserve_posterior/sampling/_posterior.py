@@ -25,8 +25,9 @@ class Posterior:
     k_hat:
         Shape of the generalised Pareto distribution that the largest weights follow (Vehtari et al. 2024,
         arXiv:1507.02646): up to 0.7 all else can be believed.
-    sampler_log_evidence, sampler_log_evidence_error:
-        The same evidence by the population that found the posterior, before importance sampling.
+    log_evidences:
+        The same evidence and its error from the draws of either mixture alone: of two runs that know nothing of each
+        other, and agree within three of their combined errors.
     likelihoods:
         How many were evaluated, over all interruptions.
     """
@@ -38,8 +39,7 @@ class Posterior:
     log_evidence_error: float
     effective: float
     k_hat: float
-    sampler_log_evidence: float
-    sampler_log_evidence_error: float
+    log_evidences: tuple[tuple[float, float], ...]
     likelihoods: int
 
     def draw(self, count: int, seed: int = 5) -> NDArray[np.intp]:

@@ -75,7 +75,7 @@ class Settings:
     effective:
         Effective samples that the posterior must have.
     particles:
-        Of the population that finds it.
+        Of each of the two populations that find it.
     batch:
         Points in one call of the likelihood, at most.
     seed:
@@ -83,14 +83,14 @@ class Settings:
     """
 
     effective: int = 10_000
-    particles: int = 4000
+    particles: int = 2000
     batch: int = 4000
     seed: int = 1
 
 
 class Progress(NamedTuple):
-    """How far a run is: what it does now, as a word; the step; the power of the likelihood (1 at the end); ln of the
-    evidence and effective samples so far; and likelihoods evaluated by this process."""
+    """How far a run is: what it does now, in words; the step; the power of the likelihood (1 at the end); ln of the
+    evidence and effective samples so far, NaN before importance sampling; and likelihoods evaluated."""
 
     stage: str
     step: int

@@ -7,41 +7,53 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_posterior.sampling._bending import Bending
 from bnserve_posterior.sampling._mixture import Mixture
-from bnserve_posterior.sampling._problem import Coordinates
+from bnserve_posterior.sampling._problem import Coordinates, Problem
+from bnserve_posterior.sampling._turning import emptiest, turned
 
 Floats = NDArray[np.float64]
-ANYWHERE = 0.05
+_ANYWHERE = 0.05
 """How often a place is a draw from the prior."""
+_WIDENING = 1.2
+"""Of scales: what is in the tails of a posterior is not in those of the points that a mixture is fitted to."""
 
 
-class Places(NamedTuple):
-    """Coordinates ``(N, D)``, points of the cube ``(N, D)`` and ln of the volume ``abs(du / dy)``, ``(N,)``."""
+class Proposal(NamedTuple):
+    """A mixture of Student distributions in straightened coordinates, with a share of the prior; the coordinates are
+    those of the cube whose periodic columns begin at ``turns``, ``(P,)``."""
 
-    y: Floats
-    points: Floats
-    volumes: Floats
+    turns: Floats
+    coordinates: Coordinates
+    bending: Bending
+    mixture: Mixture
 
     @classmethod
-    def of(cls, points: Floats, coordinates: Coordinates) -> Places:
-        """Those of points of the cube."""
-        y, volumes = coordinates.from_cube(points)
-        return cls(y, points, volumes)
+    def fit(
+        cls, problem: Problem, points: Floats, weights: Floats, components: int, random: np.random.Generator
+    ) -> Proposal:
+        """To points of the cube ``(N, D)`` with weights that sum to one."""
+        turns = emptiest(points, weights, problem)
+        coordinates = turned(problem, turns)
+        y = coordinates.from_cube(points)[0]
+        bending = Bending.fit(y, weights)
+        mixture = Mixture.fit(bending.straight(y), weights, components, random)
+        return cls(turns, coordinates, bending, mixture.widened(_WIDENING))
 
-    def inside(self) -> NDArray[np.intp]:
-        """Which are places of the prior."""
-        within = ((self.points > 0.0) & (self.points < 1.0)).all(axis=1)
-        return np.flatnonzero(within & np.isfinite(self.volumes))
+    def draw(self, count: int, random: np.random.Generator) -> Floats:
+        """Points ``(count, D)`` whose density is :meth:`log_density`; some are outside of the cube."""
+        anywhere = random.random((count, len(self.bending.centre)))
+        points, volumes = self.coordinates.to_cube(self.bending.bent(self.mixture.draw(count, random)))
+        points[~np.isfinite(volumes)] = -1.0
+        return np.where(random.random((count, 1)) < _ANYWHERE, anywhere, points)
+
+    def log_density(self, points: Floats) -> Floats:
+        """ln of the density at points ``(N, D)`` in the cube."""
+        y, volumes = self.coordinates.from_cube(points)
+        mixture = self.mixture.log_density(self.bending.straight(y)) + self.bending.log_volume - volumes
+        return np.logaddexp(np.log1p(-_ANYWHERE) + mixture, np.log(_ANYWHERE))
 
 
-def draw(mixture: Mixture, count: int, coordinates: Coordinates, random: np.random.Generator) -> Places:
-    """Draws whose density is :func:`log_density`; some are outside of the prior."""
-    anywhere = random.random((count, mixture.means.shape[1]))
-    y = mixture.draw(count, random)
-    y = np.where(random.random((count, 1)) < ANYWHERE, coordinates.from_cube(anywhere)[0], y)
-    return Places(y, *coordinates.to_cube(y))
-
-
-def log_density(mixture: Mixture, places: Places) -> Floats:
-    """ln of the density of proposals in coordinates, ``(N,)``; the prior's density there is the volume."""
-    return np.logaddexp(np.log1p(-ANYWHERE) + mixture.log_density(places.y), np.log(ANYWHERE) + places.volumes)
+def inside(points: Floats) -> NDArray[np.intp]:
+    """Which of the points are in the cube."""
+    return np.flatnonzero(((points > 0.0) & (points < 1.0)).all(axis=1))

@@ -7,20 +7,27 @@ from pathlib import Path
 
 import numpy as np
 
-from bnserve_posterior.sampling import _importance, _population
+from bnserve_posterior.sampling import _checkpoint, _importance, _population
+from bnserve_posterior.sampling._checkpoint import State
 from bnserve_posterior.sampling._errors import PosteriorUnreliable
 from bnserve_posterior.sampling._evaluation import Evaluator
-from bnserve_posterior.sampling._mixture import Mixture
+from bnserve_posterior.sampling._importance import Weighted
 from bnserve_posterior.sampling._pareto import BELIEVED
 from bnserve_posterior.sampling._posterior import Posterior
 from bnserve_posterior.sampling._problem import Problem, Progress, Settings
 
-WIDENING = 1.2
-"""Of scales: what is in the tails of a posterior is not in those of the points that a mixture is fitted to."""
-DEFAULTS = Settings()
 Report = Callable[[Progress], None]
-_ROUNDS, _MOST_ROUNDS = 12, 50
-"""Of adapting, and of sampling after it, at most."""
+DEFAULTS = Settings()
+_STARTS = 2
+"""Populations that know nothing of each other."""
+_ATTEMPTS = 4
+"""So often proposals are fitted at most; after the first time, to the draws of the time before."""
+_ROUND, _JUDGED = 4, 4
+"""Draws of a round from each proposal for each particle; after so many rounds weights are judged."""
+_MOST_DRAWS = 100
+"""For each effective sample that is wanted: proposals that need more are fitted anew."""
+_SIGMAS = 3.0
+"""Two evidences may differ by so many combined errors."""
 
 
 def sample(
@@ -28,7 +35,7 @@ def sample(
 ) -> Posterior:
     """The posterior of a likelihood over the unit cube.
 
-    A population finds it, importance sampling makes it right. The same problem and settings give the same posterior.
+    Two populations find it, importance sampling makes it right. The same problem and settings give the same posterior.
 
     Parameters
     ----------
@@ -50,37 +57,119 @@ def sample(
     PosteriorUnreliable
         The weights have too heavy a tail, or two evidences differ by more than their errors.
     """
-    report = progress or (lambda _: None)
-    evaluate = Evaluator(problem, settings.batch)
-    random = np.random.default_rng([settings.seed, 0])
-    now = _population.begin(evaluate, settings.particles, random)
-    while now.power < 1.0:
-        random = np.random.default_rng([settings.seed, now.step + 1])
-        now = _population.advance(evaluate, now, settings.particles, random)
-        report(Progress("annealing", now.step, now.power, now.log_evidence, len(now.values), evaluate.likelihoods))
-    y = evaluate.coordinates.from_cube(now.points)[0]
-    weights = np.full(len(y), 1.0 / len(y))
-    mixture, best = Mixture.fit(y, weights, evaluate.components, random).widened(WIDENING), 0.0
-    for step in range(_ROUNDS):
-        draws = _importance.draw(evaluate, mixture, 2 * settings.particles, random)
-        found = _importance.weighted(draws)
-        report(Progress("adapting", step, 1.0, found.log_evidence, found.effective, evaluate.likelihoods))
-        if found.k_hat <= BELIEVED and found.effective < 1.1 * best:
-            break
-        best = found.effective
-        mixture = _importance.fitted(evaluate, draws, evaluate.components, random).widened(WIDENING)
-    draws = _importance.draw(evaluate, mixture, 2 * settings.particles, random)
-    for step in range(_MOST_ROUNDS):
-        found = _importance.weighted(draws)
-        report(Progress("importance", step, 1.0, found.log_evidence, found.effective, evaluate.likelihoods))
-        if found.effective >= settings.effective:
-            break
-        draws = draws.joined(_importance.draw(evaluate, mixture, 2 * settings.particles, random))
-    if found.k_hat > BELIEVED:
-        raise PosteriorUnreliable(f"k-hat is {found.k_hat:.2f}.")
-    weights = found.weights
-    some = weights > 0.0
-    return Posterior(
-        draws.places.points[some], weights[some], draws.values[some], found.log_evidence, found.log_evidence_error,
-        found.effective, found.k_hat, now.log_evidence, _population.evidence_error(now), evaluate.likelihoods,
-    )  # fmt: skip
+    run = _Run(problem, settings, checkpoint, progress or (lambda _: None))
+    for start in range(len(run.state.proposals), _STARTS):
+        run.find(start)
+    while True:
+        found = run.draw()
+        if (wrong := run.objection(found)) is None:
+            return run.posterior(found)
+        if run.state.attempt + 1 == _ATTEMPTS:
+            raise PosteriorUnreliable(
+                f"{wrong} More particles may find what is missing ({settings.particles} were not enough); coordinates "
+                "in which the posterior is simpler help most."
+            )
+        run.refit()
+
+
+class _Run:
+    """The steps of a run; what they find is in ``state``, which is written after each."""
+
+    def __init__(self, problem: Problem, settings: Settings, checkpoint: Path | None, report: Report) -> None:
+        self.evaluate, self.settings = Evaluator(problem, settings.batch), settings
+        self.path, self.report = checkpoint, report
+        self.state = State()
+        if checkpoint is not None:
+            points = _checkpoint.probes(problem.dimensions)
+            self.identity = _checkpoint.identity_of(problem, settings, self.evaluate(points), points)
+            self.state = _checkpoint.read(checkpoint, problem, self.identity)
+            self.evaluate.likelihoods = self.state.likelihoods
+
+    def find(self, start: int) -> None:
+        """A proposal, by way of a population."""
+        particles = self.settings.particles
+        now = self.state.population
+        if now is None:
+            now = _population.begin(self.evaluate, particles, self.random(start, 0))
+        while now.power < 1.0:
+            now = _population.advance(self.evaluate, now, particles, self.random(start, now.step + 1))
+            self.state.population = now
+            self.keep(Progress(f"population {start + 1}", now.step, now.power, np.nan, np.nan, self.evaluate.likelihoods))
+        random = self.random(start, now.step + 1)
+        self.state.proposals.append(_importance.adapted(self.evaluate, now.points, particles, random))
+        self.state.population = None
+        self.keep(Progress(f"proposal {start + 1}", now.step + 1, 1.0, np.nan, np.nan, self.evaluate.likelihoods))
+
+    def draw(self) -> Weighted:
+        """Draws from all proposals, until they are worth enough or cannot be believed."""
+        state, counts = self.state, [_ROUND * self.settings.particles] * _STARTS
+        while True:
+            rounds = 0 if state.draws is None else int(state.draws.counts[0]) // counts[0]
+            if state.draws is not None:
+                found = _importance.weighted(state.draws)
+                if rounds >= _JUDGED and found.k_hat > BELIEVED:
+                    return found
+                if found.effective >= self.settings.effective or rounds * sum(counts) >= self.most_draws():
+                    return found
+            random = self.random(_STARTS + state.attempt, rounds)
+            fresh = _importance.draw(self.evaluate, state.proposals, counts, random)
+            state.draws = fresh if state.draws is None else _importance.joined(state.draws, fresh)
+            found = _importance.weighted(state.draws)
+            evidence, likelihoods = found.log_evidence, self.evaluate.likelihoods
+            self.keep(Progress("importance", rounds + 1, 1.0, evidence, found.effective, likelihoods))
+
+    def most_draws(self) -> int:
+        """How many draws are worth their likelihoods."""
+        return max(_MOST_DRAWS * self.settings.effective, _JUDGED * _ROUND * _STARTS * self.settings.particles)
+
+    def objection(self, found: Weighted) -> str | None:
+        """What is wrong with the draws, or None."""
+        assert self.state.draws is not None
+        (one, one_error), (other, other_error) = self.alone()
+        if found.k_hat > BELIEVED:
+            return f"The largest importance weights have a Pareto shape of {found.k_hat:.2f}, above {BELIEVED}."
+        if found.effective < self.settings.effective:
+            drawn = int(self.state.draws.counts.sum())
+            return f"{drawn} draws are worth {found.effective:.0f} of {self.settings.effective} effective samples."
+        if abs(one - other) > _SIGMAS * np.hypot(one_error, other_error):
+            return (
+                f"Two runs give the ln of the evidence as {one:.3f} +- {one_error:.3f} and {other:.3f} +- "
+                f"{other_error:.3f}."
+            )
+        return None
+
+    def alone(self) -> tuple[tuple[float, float], ...]:
+        """ln of the evidence and its error, by each proposal."""
+        assert self.state.draws is not None
+        found = [_importance.weighted_alone(self.state.draws, start) for start in range(_STARTS)]
+        return tuple((each.log_evidence, each.log_evidence_error) for each in found)
+
+    def refit(self) -> None:
+        """Fit the proposals to all draws, and begin to draw anew."""
+        state, draws = self.state, self.state.draws
+        assert draws is not None
+        random = self.random(_STARTS + state.attempt, -1)
+        problem = self.evaluate.problem
+        state.proposals = [_importance.refitted(problem, draws, random) for _ in state.proposals]
+        state.attempt, state.draws = state.attempt + 1, None
+        self.keep(Progress("proposals again", state.attempt, 1.0, np.nan, np.nan, self.evaluate.likelihoods))
+
+    def posterior(self, found: Weighted) -> Posterior:
+        """What was found, without what weighs nothing."""
+        draws, some = self.state.draws, found.weights > 0.0
+        assert draws is not None
+        return Posterior(
+            draws.points[some], found.weights[some], draws.values[some], found.log_evidence, found.log_evidence_error,
+            found.effective, found.k_hat, self.alone(), self.evaluate.likelihoods,
+        )  # fmt: skip
+
+    def random(self, phase: int, step: int) -> np.random.Generator:
+        """Of a step; the same whether the run was interrupted or not."""
+        return np.random.default_rng([self.settings.seed, phase, step + 1])
+
+    def keep(self, progress: Progress) -> None:
+        """Write the state down and say how far it is."""
+        self.state.likelihoods = self.evaluate.likelihoods
+        if self.path is not None:
+            _checkpoint.write(self.path, self.state, self.identity)
+        self.report(progress)

@@ -1,0 +1,110 @@
+"""What a run has found so far, in one file of arrays."""
+
+from __future__ import annotations
+
+import zipfile
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_posterior.sampling._bending import Bending
+from bnserve_posterior.sampling._errors import CheckpointMismatch
+from bnserve_posterior.sampling._importance import Draws
+from bnserve_posterior.sampling._mixture import Mixture
+from bnserve_posterior.sampling._population import Population
+from bnserve_posterior.sampling._problem import Problem, Settings
+from bnserve_posterior.sampling._proposals import Proposal
+from bnserve_posterior.sampling._turning import turned
+
+Floats = NDArray[np.float64]
+_PROBES = 4
+"""Points of the prior whose likelihoods and coordinates tell one problem from another."""
+
+
+@dataclass
+class State:
+    """The proposals that are ready; the population on its way to the next; how often they were fitted anew; draws from
+    all of them; and the number of likelihoods."""
+
+    proposals: list[Proposal] = field(default_factory=list)
+    population: Population | None = None
+    attempt: int = 0
+    draws: Draws | None = None
+    likelihoods: int = 0
+
+
+def write(path: Path, state: State, identity: Floats) -> None:
+    """Write a state; whatever was there is replaced at once."""
+    arrays: dict[str, Any] = {"identity": identity, "attempt": state.attempt, "likelihoods": state.likelihoods}
+    for name, part in (("population", state.population), ("draws", state.draws)):
+        arrays |= _named(name, part) if part is not None else {}
+    for number, proposal in enumerate(state.proposals):
+        arrays[f"turns.{number}"] = proposal.turns
+        arrays |= _named(f"bending.{number}", proposal.bending) | _named(f"mixture.{number}", proposal.mixture)
+    partial = path.with_name(f"{path.name}.part")
+    with partial.open("wb") as file:
+        np.savez(file, **arrays)
+    partial.replace(path)
+
+
+def read(path: Path, problem: Problem, identity: Floats) -> State:
+    """What was written, or a new state where nothing was.
+
+    Raises
+    ------
+    CheckpointMismatch
+        It is of another problem or of other settings, or not whole.
+    """
+    if not path.exists():
+        return State()
+    try:
+        with np.load(path, allow_pickle=False) as file:
+            arrays = dict(file)
+        theirs = arrays["identity"]
+        if theirs.shape != identity.shape or not np.allclose(theirs, identity, rtol=1e-6, atol=1e-3, equal_nan=True):
+            raise CheckpointMismatch(
+                f"'{path.name}' is the checkpoint of another likelihood, prior or settings: name another file, or "
+                "delete it."
+            )
+        return _state(arrays, problem)
+    except (ValueError, KeyError, TypeError, EOFError, OSError, zipfile.BadZipFile) as error:
+        raise CheckpointMismatch(
+            f"'{path.name}' is no checkpoint of this sampler ({error}): delete it, or name another file."
+        ) from error
+
+
+def identity_of(problem: Problem, settings: Settings, log_likelihood: Floats, points: Floats) -> Floats:
+    """Numbers that differ between runs: their settings, and likelihoods and coordinates at :func:`probes`."""
+    y, volumes = problem.coordinates.from_cube(points)
+    numbers = [problem.dimensions, *problem.periodic, *asdict(settings).values()]
+    return np.concatenate([np.array(numbers, dtype=np.float64), log_likelihood, y.ravel(), volumes])
+
+
+def probes(dimensions: int) -> Floats:
+    """The points at which runs are told apart."""
+    return np.random.default_rng(0).random((_PROBES, dimensions))
+
+
+def _named(name: str, part: Any) -> dict[str, Any]:
+    return {f"{name}.{key}": value for key, value in part._asdict().items()}
+
+
+def _state(arrays: dict[str, Any], problem: Problem) -> State:
+    def part(name: str) -> dict[str, Any]:
+        found = {key.rpartition(".")[2]: value for key, value in arrays.items() if key.startswith(f"{name}.")}
+        return {key: value if value.ndim else value.item() for key, value in found.items()}
+
+    state = State(attempt=int(arrays["attempt"]), likelihoods=int(arrays["likelihoods"]))
+    while f"turns.{len(state.proposals)}" in arrays:
+        number = len(state.proposals)
+        turns = arrays[f"turns.{number}"]
+        bending, mixture = Bending(**part(f"bending.{number}")), Mixture(**part(f"mixture.{number}"))
+        state.proposals.append(Proposal(turns, turned(problem, turns), bending, mixture))
+    if population := part("population"):
+        state.population = Population(**population)
+    if draws := part("draws"):
+        state.draws = Draws(**draws)
+    return state
