@@ -56,12 +56,14 @@ def read(path: Path, problem: Problem, identity: Floats) -> State:
     Raises
     ------
     CheckpointMismatch
-        It is of another problem or of other settings, or not whole.
+        It is of another problem or of other settings, or not whole, or has no folder.
     """
+    if not path.parent.is_dir():
+        raise CheckpointMismatch(f"There is no folder '{path.parent.name}' for the checkpoint: make it.")
     if not path.exists():
         return State()
     try:
-        with np.load(path, allow_pickle=False) as file:
+        with path.open("rb") as content, np.load(content, allow_pickle=False) as file:
             arrays = dict(file)
         theirs = arrays["identity"]
         if theirs.shape != identity.shape or not np.allclose(theirs, identity, rtol=1e-6, atol=1e-3, equal_nan=True):

@@ -38,9 +38,9 @@ class Evaluator:
             )
         wrong = np.flatnonzero(np.isnan(found) | (found == np.inf))
         if len(wrong):
-            where = np.array2string(points[wrong[0]], separator=", ", max_line_width=10_000)
+            where = ", ".join(f"{place:.9g}" for place in points[wrong[0]])
             raise LikelihoodNotFinite(
-                f"ln of the likelihood is {found[wrong[0]]} at the point {where} of the unit cube, and no number at "
+                f"ln of the likelihood is {found[wrong[0]]} at the point [{where}] of the unit cube, and no number at "
                 f"{len(wrong) - 1} others of {len(points)}: return -inf where it is zero, and a number elsewhere."
             )
         return found

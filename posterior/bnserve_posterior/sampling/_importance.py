@@ -25,6 +25,10 @@ from bnserve_posterior.sampling._proposals import Proposal, inside
 Floats = NDArray[np.float64]
 _COMPONENTS = 25
 """Of a mixture: measured with a binary neutron star; ten are worth a little less, fifty no more."""
+_ITERATIONS = 15
+"""Of a mixture's fit; twice as many make no difference."""
+_NEGLIGIBLE = 1e-3
+"""Draws of a smaller weight than this part of the mean are not fitted to."""
 _ROUNDS = (4, 8, 12)
 """Draws of a round for each particle."""
 
@@ -102,7 +106,7 @@ def _weighted(log_weights: Floats, count: int) -> Weighted:
 def adapted(evaluate: Evaluator, points: Floats, particles: int, random: np.random.Generator) -> Proposal:
     """A proposal fitted to a population ``(N, D)``, and then to draws from itself."""
     uniform = np.full(len(points), 1.0 / len(points))
-    proposals = [Proposal.fit(evaluate.problem, points, uniform, _COMPONENTS, random)]
+    proposals = [Proposal.fit(evaluate.problem, points, uniform, _COMPONENTS, _ITERATIONS, random)]
     counts = [size * particles for size in _ROUNDS]
     points, values, densities = points[:0], np.empty(0), np.empty((0, 0))
     for number, count in enumerate(counts):
@@ -125,4 +129,6 @@ def refitted(problem: Problem, draws: Draws, random: np.random.Generator) -> Pro
     if not weights.any():
         weights = np.full(len(weights), 1.0 / len(weights))
     weights = np.minimum(weights, 1.0 / np.sqrt(len(weights)))
-    return Proposal.fit(problem, draws.points, weights / weights.sum(), _COMPONENTS, random)
+    some = weights > _NEGLIGIBLE / len(weights)
+    weights = weights[some] / weights[some].sum()
+    return Proposal.fit(problem, draws.points[some], weights, _COMPONENTS, _ITERATIONS, random)

@@ -25,7 +25,7 @@ class Mixture(NamedTuple):
 
     @classmethod
     def fit(
-        cls, points: Floats, weights: Floats, components: int, random: np.random.Generator, iterations: int = 20
+        cls, points: Floats, weights: Floats, components: int, iterations: int, random: np.random.Generator
     ) -> Mixture:
         """By expectation and maximisation, from ``points`` ``(N, D)`` with weights ``(N,)`` that sum to one.
 

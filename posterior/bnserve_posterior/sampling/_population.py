@@ -33,12 +33,16 @@ _FEWEST = 100
 """Points of the prior that are possible at all: fewer do not say where."""
 _ROUNDS, _MOVED = 6, 0.9
 """At most so many rounds of moves after a step, until so many of the particles have moved."""
-_PROPOSALS, _COMPONENTS = 2, 10
-"""Draws from a mixture for each particle and round, and its components: quick to fit."""
+_PROPOSALS, _COMPONENTS, _ITERATIONS = 2, 10, 6
+"""Draws from a mixture for each particle and round, and how that is fitted: quickly."""
 _JUMP = 0.1
 """How often a move is a whole difference, from one mode to another, instead of a scaled one."""
 _BLUR = 1e-3
 """Differences are blurred by this part of themselves: copies of one particle part again."""
+
+
+Halves = tuple[NDArray[np.intp], NDArray[np.intp]]
+"""Which particles are moved, and those of the other half, by which."""
 
 
 class Population(NamedTuple):
@@ -77,16 +81,16 @@ def begin(evaluate: Evaluator, particles: int, random: np.random.Generator) -> P
 def advance(evaluate: Evaluator, now: Population, particles: int, random: np.random.Generator) -> Population:
     """One step of the power, and moves."""
     now = _reweigh(now, particles, random)
-    uniform, moved = np.full(particles, 1.0 / particles), np.zeros(particles, dtype=bool)
+    uniform = np.full(particles, 1.0 / particles)
     coordinates = turned(evaluate.problem, emptiest(now.points, uniform, evaluate.problem))
+    moved = np.zeros(particles, dtype=bool)
     for _ in range(_ROUNDS):
         before = now.points
-        now = _evolve(evaluate, now, coordinates, random)
-        proposal = Proposal.fit(evaluate.problem, now.points, uniform, _COMPONENTS, random)
-        for _ in range(_PROPOSALS):
-            there = proposal.draw(particles, random)
-            balance = proposal.log_density(now.points) - _density_inside(proposal, there)
-            now = _offer(evaluate, now, np.arange(particles), there, balance, random)
+        order = random.permutation(particles)
+        halves = order[: particles // 2], order[particles // 2 :]
+        for mine, others in (halves, halves[::-1]):
+            now = _evolve(evaluate, now, (mine, others), coordinates, random)
+            now = _propose(evaluate, now, (mine, others), random)
         moved |= (now.points != before).any(axis=1)
         if moved.mean() >= _MOVED:
             break
@@ -113,29 +117,36 @@ def _effective(values: Floats, power: float) -> float:
     return float(weights.sum() ** 2 / np.sum(weights**2))
 
 
-def _density_inside(proposal: Proposal, points: Floats) -> Floats:
-    """ln of the density of proposals; +inf, which is never taken, outside of the cube."""
-    density, some = np.full(len(points), np.inf), inside(points)
-    density[some] = proposal.log_density(points[some])
-    return density
-
-
 def _evolve(
-    evaluate: Evaluator, now: Population, coordinates: Coordinates, random: np.random.Generator
-) -> Population:  # fmt: skip
-    """Offer every particle one move along a difference of two particles of the other half of the population."""
-    count, dimensions = now.points.shape
-    order = random.permutation(count)
-    for mine, others in ((order[: count // 2], order[count // 2 :]), (order[count // 2 :], order[: count // 2])):
-        y, volumes = coordinates.from_cube(now.points)
-        first = random.integers(len(others), size=len(mine))
-        second = (first + random.integers(1, len(others), size=len(mine))) % len(others)
-        scale = 2.38 / np.sqrt(2.0 * dimensions) * np.exp(0.4 * random.standard_normal(len(mine)))
-        scale[random.random(len(mine)) < _JUMP] = 1.0
-        step = scale[:, None] * (y[others[first]] - y[others[second]])
-        step *= 1.0 + _BLUR * random.standard_normal(step.shape)
-        there, theirs = coordinates.to_cube(y[mine] + step)
-        now = _offer(evaluate, now, mine, there, theirs - volumes[mine], random)
+    evaluate: Evaluator, now: Population, halves: Halves, coordinates: Coordinates, random: np.random.Generator
+) -> Population:
+    """Offer each of one half a move along a difference of two particles of the other."""
+    mine, others = halves
+    y, volumes = coordinates.from_cube(now.points)
+    first = random.integers(len(others), size=len(mine))
+    second = (first + random.integers(1, len(others), size=len(mine))) % len(others)
+    scale = 2.38 / np.sqrt(2.0 * y.shape[1]) * np.exp(0.4 * random.standard_normal(len(mine)))
+    scale[random.random(len(mine)) < _JUMP] = 1.0
+    step = scale[:, None] * (y[others[first]] - y[others[second]])
+    step *= 1.0 + _BLUR * random.standard_normal(step.shape)
+    there, theirs = coordinates.to_cube(y[mine] + step)
+    return _offer(evaluate, now, mine, there, theirs - volumes[mine], random)
+
+
+def _propose(evaluate: Evaluator, now: Population, halves: Halves, random: np.random.Generator) -> Population:
+    """Offer each of one half draws from a mixture fitted to the other.
+
+    Fitted to all, it would know each particle's own place better than the places around: particles would leave where
+    they are few.
+    """
+    mine, others = halves
+    uniform = np.full(len(others), 1.0 / len(others))
+    proposal = Proposal.fit(evaluate.problem, now.points[others], uniform, _COMPONENTS, _ITERATIONS, random)
+    for _ in range(_PROPOSALS):
+        there = proposal.draw(len(mine), random)
+        balance, some = np.full(len(mine), -np.inf), inside(there)
+        balance[some] = proposal.log_density(now.points[mine[some]]) - proposal.log_density(there[some])
+        now = _offer(evaluate, now, mine, there, balance, random)
     return now
 
 

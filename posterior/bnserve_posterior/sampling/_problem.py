@@ -13,8 +13,8 @@ from scipy.special import ndtr, ndtri
 Floats = NDArray[np.float64]
 LogLikelihood = Callable[[Floats], Floats]
 Transform = Callable[[Floats], tuple[Floats, Floats]]
-_EDGE = 1e-15
-"""Nearer than this to an edge of the cube a point is where it is this far away: the edge itself is at infinity."""
+_LOWEST, _HIGHEST = 1e-300, 1.0 - 2.0**-53
+"""First and last place between the edges, which are at infinity; numbers near 0 are finer than those near 1."""
 
 
 class Coordinates(NamedTuple):
@@ -26,7 +26,7 @@ class Coordinates(NamedTuple):
 
 def normal_quantiles(points: Floats) -> tuple[Floats, Floats]:
     """Where a normal distribution reaches each column, ``(N, D)``, and ln of the volume, ``(N,)``."""
-    y = ndtri(np.clip(points, _EDGE, 1.0 - _EDGE))
+    y = ndtri(np.clip(points, _LOWEST, _HIGHEST))
     return y, _log_normal(y)
 
 

@@ -30,14 +30,15 @@ class Proposal(NamedTuple):
 
     @classmethod
     def fit(
-        cls, problem: Problem, points: Floats, weights: Floats, components: int, random: np.random.Generator
-    ) -> Proposal:
+        cls, problem: Problem, points: Floats, weights: Floats, components: int, iterations: int,
+        random: np.random.Generator,
+    ) -> Proposal:  # fmt: skip
         """To points of the cube ``(N, D)`` with weights that sum to one."""
         turns = emptiest(points, weights, problem)
         coordinates = turned(problem, turns)
         y = coordinates.from_cube(points)[0]
         bending = Bending.fit(y, weights)
-        mixture = Mixture.fit(bending.straight(y), weights, components, random)
+        mixture = Mixture.fit(bending.straight(y), weights, components, iterations, random)
         return cls(turns, coordinates, bending, mixture.widened(_WIDENING))
 
     def draw(self, count: int, random: np.random.Generator) -> Floats:

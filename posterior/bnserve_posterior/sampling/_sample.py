@@ -26,6 +26,8 @@ _ROUND, _JUDGED = 4, 4
 """Draws of a round from each proposal for each particle; after so many rounds weights are judged."""
 _MOST_DRAWS = 100
 """For each effective sample that is wanted: proposals that need more are fitted anew."""
+_FEWEST_PARTICLES = 100
+"""With fewer no mixture can be fitted in a few dimensions."""
 _SIGMAS = 3.0
 """Two evidences may differ by so many combined errors."""
 
@@ -48,6 +50,8 @@ def sample(
 
     Raises
     ------
+    ValueError
+        A number of the problem or of the settings means nothing.
     LikelihoodNotFinite
         A likelihood is NaN or +inf.
     LikelihoodEmpty
@@ -57,6 +61,7 @@ def sample(
     PosteriorUnreliable
         The weights have too heavy a tail, or two evidences differ by more than their errors.
     """
+    _check(problem, settings)
     run = _Run(problem, settings, checkpoint, progress or (lambda _: None))
     for start in range(len(run.state.proposals), _STARTS):
         run.find(start)
@@ -70,6 +75,20 @@ def sample(
                 "in which the posterior is simpler help most."
             )
         run.refit()
+
+
+def _check(problem: Problem, settings: Settings) -> None:
+    wrong = {
+        "dimensions must be 1 or more": problem.dimensions < 1,
+        "periodic must name columns, from 0 on": not set(problem.periodic) <= set(range(problem.dimensions)),
+        f"particles must be {_FEWEST_PARTICLES} or more": settings.particles < _FEWEST_PARTICLES,
+        "effective must be 1 or more": settings.effective < 1,
+        "batch must be 1 or more": settings.batch < 1,
+        "seed must be 0 or more": settings.seed < 0,
+    }
+    for reason, is_so in wrong.items():
+        if is_so:
+            raise ValueError(f"{reason}; these are {problem.dimensions} dimensions, {problem.periodic}, {settings}.")
 
 
 class _Run:
@@ -94,7 +113,9 @@ class _Run:
         while now.power < 1.0:
             now = _population.advance(self.evaluate, now, particles, self.random(start, now.step + 1))
             self.state.population = now
-            self.keep(Progress(f"population {start + 1}", now.step, now.power, np.nan, np.nan, self.evaluate.likelihoods))
+            self.keep(
+                Progress(f"population {start + 1}", now.step, now.power, np.nan, np.nan, self.evaluate.likelihoods)
+            )
         random = self.random(start, now.step + 1)
         self.state.proposals.append(_importance.adapted(self.evaluate, now.points, particles, random))
         self.state.population = None

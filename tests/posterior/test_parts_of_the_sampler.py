@@ -1,0 +1,82 @@
+"""What importance sampling is made of: the shape of tails, mixtures, bent coordinates."""
+
+import numpy as np
+import pytest
+
+from bnserve_posterior.sampling import PLAIN
+from bnserve_posterior.sampling._bending import Bending
+from bnserve_posterior.sampling._mixture import Mixture
+from bnserve_posterior.sampling._pareto import pareto_k
+
+
+@pytest.mark.parametrize(("shape", "by_arviz"), [(0.1, 0.12666), (0.5, 0.49866), (0.9, 0.87061)])
+def test_the_shape_of_a_tail_is_that_of_arviz(shape, by_arviz):
+    """arviz-stats 0.8 of the same weights, of which its tail has one less."""
+    quantiles = (np.arange(4000) + 0.5) / 4000
+    weights = ((1.0 - quantiles) ** -shape - 1.0) / shape
+    assert abs(pareto_k(weights) - shape) < 0.06
+    assert abs(pareto_k(weights) - by_arviz) < 1e-3
+
+
+def test_weights_that_are_alike_are_believed_and_a_single_one_is_not():
+    assert pareto_k(np.ones(1000)) == -np.inf
+    assert pareto_k(np.concatenate([np.zeros(999), [1.0]])) == np.inf
+
+
+def two_clouds(random):
+    return np.concatenate([random.normal(-2.0, 0.3, (400, 2)), random.normal(1.0, [0.2, 1.0], (600, 2))])
+
+
+def test_a_mixture_integrates_to_one_and_draws_as_its_density_says():
+    random = np.random.default_rng(4)
+    points = two_clouds(random)
+    mixture = Mixture.fit(points, np.full(1000, 1e-3), 6, 20, random)
+    draws = mixture.draw(50_000, random)
+    inside = (np.abs(draws) < 8.0).all(axis=1)
+    box = random.uniform(-8.0, 8.0, (200_000, 2))
+    assert abs(256.0 * np.exp(mixture.log_density(box)).mean() - inside.mean()) < 0.02
+    assert abs(np.mean(draws[:, 0] < -0.5) - 0.4) < 0.03
+
+
+def test_a_mixture_follows_the_weights():
+    random = np.random.default_rng(5)
+    points, weights = two_clouds(random), np.concatenate([np.full(400, 9.0), np.ones(600)])
+    mixture = Mixture.fit(points, weights / weights.sum(), 6, 20, random)
+    assert abs(np.mean(mixture.draw(50_000, random)[:, 0] < -0.5) - 3600.0 / 4200.0) < 0.03
+
+
+def banana(random, count):
+    y = random.standard_normal((count, 3))
+    y[:, 0] = 0.05 * y[:, 0] + 0.4 * y[:, 1] ** 2 - 0.2 * y[:, 1] * y[:, 2]
+    return y
+
+
+def test_bananas_are_straight_in_learnt_coordinates_and_volumes_are_constant():
+    random = np.random.default_rng(6)
+    points = banana(random, 3000)
+    bending = Bending.fit(points, np.full(3000, 1.0 / 3000))
+    straight = bending.straight(banana(random, 1000))
+    np.testing.assert_allclose(bending.bent(straight)[:, 1:], bending.bent(straight)[:, 1:])
+    assert straight[:, -1].std() < 0.2
+    far = 5.0 * random.standard_normal((100, 3))
+    np.testing.assert_allclose(bending.bent(bending.straight(far)), far, atol=1e-9)
+    step = 1e-6 * np.eye(3)
+    for point in far[:5]:
+        slopes = (bending.straight(point + step) - bending.straight(point - step)) / 2e-6
+        assert abs(np.linalg.slogdet(slopes)[1] - bending.log_volume) < 1e-5
+
+
+def test_few_points_do_not_bend():
+    random = np.random.default_rng(7)
+    assert Bending.fit(banana(random, 50), np.full(50, 0.02)).degree == 1
+
+
+def test_plain_coordinates_can_be_undone_and_know_their_volume():
+    u = np.random.default_rng(8).random((100, 3))
+    y, volumes = PLAIN.from_cube(u)
+    back, again = PLAIN.to_cube(y)
+    np.testing.assert_allclose(back, u, rtol=1e-9)
+    np.testing.assert_array_equal(again, volumes)
+    np.testing.assert_allclose(volumes, -0.5 * np.sum(y**2 + np.log(2.0 * np.pi), axis=1))
+    deep = PLAIN.to_cube(np.array([[-20.0, -30.0, 3.0]]))[0]
+    np.testing.assert_allclose(PLAIN.from_cube(deep)[0], [[-20.0, -30.0, 3.0]], rtol=1e-9)
