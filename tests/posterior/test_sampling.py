@@ -42,7 +42,7 @@ def test_the_evidence_is_known_within_its_error_and_the_moments_are_right(seed):
 
 def test_eleven_dimensions_heavy_tails_and_two_modes():
     density = HeavyTails(11)
-    found, twice = (sample(Problem(density, 11), Settings(particles=count, effective=3000)) for count in (500, 1000))
+    found, twice = (sample(Problem(density, 11), Settings(particles=count, effective=2000)) for count in (500, 1000))
     within(found, 0.0)
     within(twice, 0.0)
     distances = np.stack([density.distances(found.points, mode) for mode in (0, 1)])
@@ -74,7 +74,7 @@ def test_from_one_dimension_to_twenty(dimensions):
     def centred(u):
         return -0.5 * np.sum(((u - 0.5) / 0.05) ** 2, axis=1) - dimensions * np.log(0.05 * np.sqrt(2.0 * np.pi))
 
-    within(sample(Problem(centred, dimensions), Settings(particles=400, effective=1000)), 0.0)
+    within(sample(Problem(centred, dimensions), Settings(particles=500, effective=1000)), 0.0)
 
 
 def test_a_likelihood_that_is_the_same_everywhere_leaves_the_prior():

@@ -17,6 +17,8 @@ _RIDGE = 1e-3
 """Of the least squares, in units of the points' own spread: few points do not bend."""
 _POINTS_PER_TERM = 10
 """Effective points for each term of a polynomial; where there are fewer, it is linear."""
+_ORDERING = 2000
+"""At most so many points say which coordinate is before which."""
 _FARTHEST = 8.0
 """Standard deviations: farther out polynomials stay as they are here, and do not run away."""
 
@@ -41,11 +43,8 @@ class Bending(NamedTuple):
         dimensions = y.shape[1]
         terms = (dimensions + 1) * (dimensions + 2) // 2
         degree = 2 if 1.0 / np.sum(weights**2) > _POINTS_PER_TERM * terms else 1
-        left = []
-        for column in range(dimensions):
-            others = _terms(np.delete(z, column, axis=1), degree)
-            found = _least_squares(others, z[:, column], weights)
-            left.append(float(weights @ (z[:, column] - others @ found) ** 2))
+        some = slice(None, None, -(-len(z) // _ORDERING))
+        left = [_left(z[some], weights[some] / weights[some].sum(), column, degree) for column in range(dimensions)]
         order = np.argsort(left)[::-1].astype(np.int64)
         z = z[:, order]
         polynomials = np.zeros((dimensions, terms))
@@ -76,6 +75,12 @@ class Bending(NamedTuple):
     def _polynomial(self, z: Floats, column: int) -> Floats:
         terms = _terms(z[:, :column], self.degree)
         return terms @ self.polynomials[column, : terms.shape[1]]
+
+
+def _left(z: Floats, weights: Floats, column: int, degree: int) -> float:
+    """Variance of a column that a polynomial of all others leaves."""
+    others = _terms(np.delete(z, column, axis=1), degree)
+    return float(weights @ (z[:, column] - others @ _least_squares(others, z[:, column], weights)) ** 2)
 
 
 def _terms(z: Floats, degree: int) -> Floats:
