@@ -1,0 +1,179 @@
+"""Fisher matrices of batches of binaries."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_inference._modes import QUADRUPOLE, chosen_modes, orders
+from bnserve_inference.fisher._matrix import LARGEST_CONDITION, Forecast, condition, triangular, with_priors
+from bnserve_inference.fisher._network import Network
+from bnserve_inference.fisher._nodes import Nodes, nodes_between
+from bnserve_inference.fisher._signals import NAMES, SKY, Signals
+from bnserve_protocol import (
+    DERIVATIVE_NAMES,
+    PARAMETER_NAMES,
+    BatchLike,
+    Derivatives,
+    EvaluationOptions,
+    FieldError,
+    GridLike,
+    InvalidRequest,
+    LikelihoodBatch,
+    LikelihoodBatchLike,
+    Mode,
+    ModelDescription,
+    RowStatus,
+    coordinate_jacobian,
+)
+
+Floats = NDArray[np.float64]
+
+COORDINATES = (
+    "log_chirp_mass", "log_mass_ratio", "lambda_tilde", "delta_lambda_tilde", "chi_1", "chi_2", "log_distance",
+    "inclination", "reference_phase", "coalescence_time",
+)  # fmt: skip
+"""Of a binary, to which those of its place in the sky come."""
+_NUMBERS = 2**19
+"""Complex numbers of derivatives at once: 8 MiB, which stay near the processor."""
+
+
+class Differentiable(Protocol):
+    """A model that has derivatives."""
+
+    @property
+    def description(self) -> ModelDescription:
+        """Name, ranges, modes."""
+
+    def predict_derivatives(
+        self, frequencies: GridLike, batch: BatchLike, *, options: EvaluationOptions
+    ) -> Derivatives:
+        """Modes and their derivatives."""
+
+
+@dataclass(frozen=True)
+class ForecastOptions:
+    """How forecasts are made.
+
+    Parameters
+    ----------
+    coordinates
+        Ten names of ``bnserve_protocol.COORDINATES``, with ``coalescence_time`` in place of ``time_shift``, to which
+        ``right_ascension``, ``declination`` and ``polarization_angle`` come.
+    priors
+        Widths of Gaussian priors by coordinate, in its unit.
+    modes
+        Of the signals; None for all that the model has.
+    alignment
+        What the coalescence time is that of, as in ``EvaluationOptions``.
+    reference_frequency
+        Hz, at which the phase of the (2, 2) is held while other coordinates change: one in the middle of the band,
+        or masses and ``reference_phase`` are so alike that rounding shows. Other errors do not depend on it.
+    """
+
+    coordinates: Sequence[str] = COORDINATES
+    priors: Mapping[str, float] | None = None
+    modes: Sequence[Mode] | None = None
+    alignment: str = "merger"
+    reference_frequency: float = 50.0
+
+
+def forecast(
+    model: Differentiable,
+    network: Network,
+    samples: LikelihoodBatchLike,
+    options: ForecastOptions = ForecastOptions(),
+) -> Forecast:
+    """Fisher matrices and signal-to-noise ratios of N binaries in a network.
+
+    Parameters
+    ----------
+    model
+        Whose waveforms; it has derivatives.
+    samples
+        The binaries, as a likelihood takes them, with distance and ``coalescence_time``.
+
+    Raises
+    ------
+    InvalidRequest
+        Coordinates that are none or do not tell binaries apart, or priors of no width.
+    InvalidParameters
+        Samples that are none.
+    """
+    batch = LikelihoodBatch.coerce(samples)
+    names, widths = (*options.coordinates, *SKY), dict(options.priors or {})
+    for name, width in widths.items():
+        if name not in names or not 0.0 < width < np.inf:
+            raise InvalidRequest(
+                f"A prior is a positive width of one of {', '.join(names)}; got {width!r} for '{str(name)[:80]}'.",
+                errors=[FieldError(reason="no prior", parameter=str(name)[:80])],
+            )
+    modes = chosen_modes(options.modes, model.description)
+    nodes = nodes_of(network, modes)
+    signals = Signals(network, nodes, modes)
+    asked = EvaluationOptions(modes=modes, alignment=options.alignment, out_of_domain="flag")  # type: ignore[arg-type]
+    size = max(1, _NUMBERS // (len(nodes.frequencies) * len(NAMES) * len(network.sites)))
+    roots, squares, status = [], [], []
+    for start in range(0, len(batch), size):
+        part = batch.rows(slice(start, start + size))
+        found = model.predict_derivatives(nodes.frequencies, part.waveform_batch(), options=asked)
+        tangents, own = signals.whitened(found, part)
+        jacobian = _jacobian(part, options.coordinates, found.status)
+        if (good := found.status == RowStatus.OK).any():
+            held = _held(model, part.rows(np.flatnonzero(good)), options)
+            jacobian[good] = held @ jacobian[good]
+        roots.append(triangular(with_priors(jacobian.swapaxes(1, 2) @ tangents, names, widths)))
+        squares.append(own)
+        status.append(found.status)
+    return _forecast(names, model, batch, np.concatenate(roots), np.concatenate(squares), np.concatenate(status))
+
+
+def _held(model: Differentiable, part: LikelihoodBatch, options: ForecastOptions) -> Floats:
+    """What keeps the phase of the (2, 2) at the reference frequency while other parameters change: ``(N, 13, 13)``."""
+    alone = EvaluationOptions(modes=(QUADRUPOLE,), alignment=options.alignment)  # type: ignore[arg-type]  # checked there
+    there = model.predict_derivatives(np.array([options.reference_frequency]), part.waveform_batch(), options=alone)
+    slopes = (there.derivatives[:, 0, :, 0] / there.h[:, 0]).imag
+    out = np.broadcast_to(np.eye(len(NAMES)), (len(part), len(NAMES), len(NAMES))).copy()
+    for place, name in enumerate(DERIVATIVE_NAMES):
+        out[:, NAMES.index("reference_phase"), NAMES.index(name)] = -slopes[:, place]
+    return out
+
+
+def nodes_of(network: Network, modes: Sequence[Mode]) -> Nodes:
+    """Where the integrals of a network are evaluated."""
+    return nodes_between(network.f_min, network.f_max, network.breaks(), orders(modes), network.sensitivity)
+
+
+def _jacobian(part: LikelihoodBatch, coordinates: Sequence[str], status: NDArray[np.uint8]) -> Floats:
+    """Of all 13: those of the sky are kept. Rows that are not evaluated stand for nothing."""
+    plain = tuple("time_shift" if name == "coalescence_time" else name for name in coordinates)
+    out = np.zeros((len(part), len(NAMES), len(NAMES)))
+    count, good = len(PARAMETER_NAMES), status == RowStatus.OK
+    out[:, range(count, len(NAMES)), range(count, len(NAMES))] = 1.0
+    if good.any():
+        out[good, :count, :count] = coordinate_jacobian(part.waveform_batch().rows(np.flatnonzero(good)), plain)
+    return out
+
+
+def _forecast(
+    names: tuple[str, ...], model: Differentiable, batch: LikelihoodBatch, root: Floats, squares: Floats,
+    status: NDArray[np.uint8],
+) -> Forecast:  # fmt: skip
+    bad = status != RowStatus.OK
+    root[bad], squares[bad] = np.nan, np.nan
+    found = condition(root)
+    singular = found > LARGEST_CONDITION
+    plain = Forecast(
+        names=names, snr=np.sqrt(squares.sum(axis=1)), detector_snr=np.sqrt(squares), root=root, condition=found,
+        singular=singular, beyond=np.zeros((len(root), len(names)), bool), status=status,
+    )  # fmt: skip
+    beyond, errors = plain.beyond, plain.errors()
+    for entry in model.description.parameters:
+        if entry.name in names and entry.minimum is not None and entry.maximum is not None:
+            value, sigma = batch[entry.name], errors[entry.name]
+            beyond[:, names.index(entry.name)] = (value - sigma < entry.minimum) | (value + sigma > entry.maximum)
+    return plain

@@ -1,0 +1,156 @@
+"""A network of detectors, as a forecast needs it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from importlib.resources import as_file, files
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bnserve_inference._detectors import Detector
+from bnserve_inference._noise import LEAST_ASD
+from bnserve_inference._units import ASD_UNIT, in_units
+from bnserve_protocol import AnalysisInvalid, FieldError
+
+Floats = NDArray[np.float64]
+
+_CURVES = {
+    "ET-D": ("bnserve_surrogate", "data/ET_D_psd.txt"),
+    "CE40": ("bnserve_inference.fisher", "curves/CE40_psd.txt"),
+    "CE20": ("bnserve_inference.fisher", "curves/CE20_psd.txt"),
+}
+
+
+@dataclass(frozen=True, eq=False)
+class NoiseCurve:
+    """An ASD in 1/sqrt(Hz), between whose frequencies (Hz) it is a power law; outside of them there is no data.
+
+    Raises
+    ------
+    AnalysisInvalid
+        Frequencies that do not increase, values that are not positive and finite, or a PSD.
+    """
+
+    frequencies: Floats
+    asd: Floats
+
+    @classmethod
+    @in_units(frequencies="Hz", asd=ASD_UNIT)
+    def of(cls, frequencies: ArrayLike, asd: ArrayLike) -> NoiseCurve:
+        """From vectors ``(n,)``, with or without units."""
+        f, values = np.asarray(frequencies, dtype=np.float64), np.asarray(asd, dtype=np.float64)
+        good = f.ndim == 1 and f.shape == values.shape and len(f) > 1 and np.isfinite(f).all()
+        if not (good and f[0] > 0.0 and (np.diff(f) > 0.0).all()):
+            raise AnalysisInvalid("A noise curve is two vectors of one length, with increasing, positive frequencies.")
+        if not (np.isfinite(values).all() and (values > 0.0).all()):
+            raise AnalysisInvalid("The ASD of a noise curve is positive and finite; leave other frequencies out.")
+        if values.min() < LEAST_ASD:
+            raise AnalysisInvalid(
+                f"The least ASD is {values.min():.2g}, which no detector has: it is a PSD. Take its square root."
+            )
+        return cls(f, values)
+
+    @classmethod
+    def named(cls, name: str) -> NoiseCurve:
+        """``"ET-D"`` (Hild et al. 2011, arXiv:1012.0908), ``"CE40"`` or ``"CE20"``.
+
+        Raises
+        ------
+        AnalysisInvalid
+            There is no such curve.
+        """
+        if name not in _CURVES:
+            raise AnalysisInvalid(
+                f"There is no noise curve '{str(name)[:32]}'; known are {', '.join(_CURVES)}. Read another one with "
+                "NoiseCurve.read.",
+                errors=[FieldError(reason="unknown noise curve", parameter="noise", value=str(name)[:32])],
+            )
+        package, path = _CURVES[name]
+        with as_file(files(package).joinpath(path)) as file:
+            return cls.read(file, psd=True)
+
+    @classmethod
+    def read(cls, path: str | Path, *, psd: bool = False) -> NoiseCurve:
+        """From a text file of two columns, Hz and ASD or, with ``psd``, PSD.
+
+        Raises
+        ------
+        AnalysisInvalid
+            The file is none, or as for the curve itself.
+        """
+        try:
+            f, values = np.loadtxt(path, usecols=(0, 1), unpack=True)
+        except (OSError, ValueError, IndexError) as error:
+            raise AnalysisInvalid(f"{Path(path).name} is no text file of two columns of numbers: {error}.") from error
+        return cls.of(f, np.sqrt(values) if psd else values)
+
+    def at(self, f: Floats) -> Floats:
+        """The ASD, infinite where there is none."""
+        inside = (f >= self.frequencies[0] * (1.0 - 1e-9)) & (f <= self.frequencies[-1] * (1.0 + 1e-9))
+        values = np.exp(np.interp(np.log(f), np.log(self.frequencies), np.log(self.asd)))
+        return np.where(inside, values, np.inf)
+
+
+@dataclass(frozen=True, eq=False)
+class Network:
+    """Detectors with their noise.
+
+    Parameters
+    ----------
+    detectors
+        Names or :class:`~bnserve_inference.Detector` objects.
+    noise
+        A curve for each.
+    f_min, f_max
+        Hz; the band of the integrals.
+    trigger_time
+        GPS seconds that ``coalescence_time`` is relative to.
+    moving
+        Whether the Earth turns them while the signal lasts.
+
+    Raises
+    ------
+    AnalysisInvalid
+        Not as many curves as detectors, or a band in which none of them has data.
+    """
+
+    detectors: Sequence[Detector | str]
+    noise: Sequence[NoiseCurve]
+    f_min: float
+    f_max: float
+    trigger_time: float
+    moving: bool = True
+
+    def __post_init__(self) -> None:
+        found = tuple(Detector.named(it) if isinstance(it, str) else it for it in self.detectors)
+        object.__setattr__(self, "detectors", found)
+        if not found or len(found) != len(self.noise):
+            raise AnalysisInvalid(
+                f"A network has a noise curve for each of its detectors; got {len(found)} and {len(self.noise)}."
+            )
+        if not 0.0 < self.f_min < self.f_max < np.inf:
+            raise AnalysisInvalid(
+                f"The band of a network is 0 < f_min < f_max; got {self.f_min!r} and {self.f_max!r} Hz.",
+                errors=[FieldError(reason="no band", parameter="f_min", value=self.f_min)],
+            )
+        if not any(curve.frequencies[0] < self.f_max and curve.frequencies[-1] > self.f_min for curve in self.noise):
+            raise AnalysisInvalid("None of the noise curves has data in the band of the network.")
+
+    @property
+    def sites(self) -> tuple[Detector, ...]:
+        """The detectors."""
+        return tuple(self.detectors)  # type: ignore[arg-type]  # strings have become detectors
+
+    def breaks(self) -> Floats:
+        """Frequencies where curves have an edge: their ends, and knots where they are few."""
+        few = [
+            curve.frequencies if len(curve.frequencies) <= 64 else curve.frequencies[[0, -1]] for curve in self.noise
+        ]
+        return np.unique(np.concatenate(few))
+
+    def sensitivity(self, f: Floats) -> Floats:
+        """The sum of 1 / S over the detectors, in Hz, at frequencies ``(K,)``."""
+        return np.asarray(sum(curve.at(f) ** -2.0 for curve in self.noise))

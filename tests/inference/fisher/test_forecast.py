@@ -1,0 +1,222 @@
+"""Forecasts: derivatives of signals are those of the signals, integrals are those of a dense grid, and what cannot be
+measured is said."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from bnserve_inference import Detector, detector_strain
+from bnserve_inference.fisher import COORDINATES, ForecastOptions, Network, NoiseCurve, forecast
+from bnserve_inference.fisher._forecasting import nodes_of
+from bnserve_inference.fisher._matrix import condition, triangular
+from bnserve_inference.fisher._nodes import Nodes
+from bnserve_inference.fisher._signals import NAMES, Signals
+from bnserve_protocol import (
+    AnalysisInvalid,
+    EvaluationOptions,
+    InvalidRequest,
+    LikelihoodBatch,
+    LikelihoodParameters,
+    RowStatus,
+)
+from bnserve_surrogate import Model
+
+TRIGGER = 1187008882.4
+BINARY = LikelihoodParameters(
+    mass_ratio=1.3, lambda_1=300.0, lambda_2=700.0, chi_1=0.05, chi_2=-0.02, inclination=0.7, total_mass=2.8,
+    right_ascension=1.1, declination=0.4, polarization_angle=0.6, distance_mpc=100.0, coalescence_time=0.01,
+    reference_phase=1.2,
+)  # fmt: skip
+STEPS = {
+    "mass_ratio": 4e-7, "lambda_1": 0.5, "lambda_2": 0.5, "chi_1": 1e-5, "chi_2": 1e-5, "distance_mpc": 0.1,
+    "inclination": 1e-3, "total_mass": 2e-7, "reference_phase": 1e-2, "coalescence_time": 1e-6,
+    "right_ascension": 1e-3, "declination": 1e-3, "polarization_angle": 1e-3,
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def model():
+    return Model.load("default", "2.0.0")
+
+
+def curve(low=2.0, high=4000.0):
+    """Something like the Einstein Telescope's, smooth."""
+    f = np.geomspace(low, high, 3000)
+    x = f / 100.0
+    return NoiseCurve.of(f, 3e-25 * (1.0 + (6.0 / f) ** 8 + 0.3 / x + 0.1 * x))
+
+
+def network(detectors=("E1", "E2", "E3"), f_min=10.0, f_max=1900.0, moving=True):
+    return Network(list(detectors), [curve()] * len(detectors), f_min, f_max, TRIGGER, moving)
+
+
+def of_signals(model, own, modes, at):
+    """Derivatives of signals in each detector before they are whitened, ``(14, K)``."""
+    nodes = Nodes(at, np.ones(len(at)), np.zeros(len(at)))
+    signals = Signals(own, nodes, modes)
+    batch = LikelihoodBatch.coerce(BINARY)
+    found = model.predict_derivatives(
+        at, batch.waveform_batch(), options=EvaluationOptions(alignment="merger", modes=modes)
+    )
+    tangents, _ = signals.whitened(found, batch)
+    shaped = tangents[0].view(np.complex128).reshape(len(NAMES), len(own.sites), len(at))
+    return shaped / np.array(signals.scales)[:, :]
+
+
+def by_differences(model, detector, at, name, modes, response):
+    def strain(value):
+        given = dataclasses.replace(BINARY, **{name: value})
+        return detector_strain(detector, at, model, given, trigger_time=TRIGGER, modes=modes, response=response)
+
+    middle, step = getattr(BINARY, name), STEPS[name]
+    near, far = (strain(middle + k * step) - strain(middle - k * step) for k in (1, 2))
+    return (8.0 * near - far) / (12.0 * step)
+
+
+SITES = {
+    "short": ["E1", "H1"],
+    "with arms": [Detector.named("CE40", finite_arms=True), Detector.named("H1", finite_arms=True)],
+}
+
+
+@pytest.mark.parametrize("response", ["moving", "static"])
+@pytest.mark.parametrize("sites", SITES.values(), ids=SITES)
+def test_derivatives_are_those_of_the_signal(model, sites, response):
+    at = np.geomspace(10.0, 1500.0, 160)
+    modes = tuple(sorted({tuple(mode) for mode in model.description.modes}))
+    own = network(sites, moving=response == "moving")
+    ours = of_signals(model, own, modes, at)
+    for place, name in enumerate(NAMES):
+        for d, detector in enumerate(own.sites):
+            expected = by_differences(model, detector, at, name, modes, response)
+            error = np.abs(ours[place, d] - expected).max() / np.abs(expected).max()
+            # With a response that moves, by what differences of a spline of passing times are off.
+            assert error < (2e-5 if response == "moving" else 5e-6), name
+
+
+def root_on(model, own, modes, nodes, names=COORDINATES):
+    batch = LikelihoodBatch.coerce(BINARY)
+    found = model.predict_derivatives(
+        nodes.frequencies, batch.waveform_batch(), options=EvaluationOptions(alignment="merger", modes=modes)
+    )
+    return Signals(own, nodes, modes).whitened(found, batch)[0][0]
+
+
+@pytest.mark.parametrize("modes", [((2, 2),), ((2, 1), (2, 2), (3, 3), (4, 4))], ids=["one", "several"])
+def test_integrals_are_those_of_a_dense_grid(model, modes):
+    """Of products of different modes, too: the largest of any, to a part in a million of what both have alone.
+
+    The noise has a wall, as on the ground: a sharp edge of the band is seen by products of modes, which turn.
+    """
+    smooth = curve()
+    walled = NoiseCurve.of(smooth.frequencies, smooth.asd * (1.0 + (28.0 / smooth.frequencies) ** 20))
+    own = Network(["E1", "E2", "E3"], [walled] * 3, 22.0, 1900.0, TRIGGER)
+    f = np.geomspace(22.0, 1900.0, 160_001)
+    weights = np.gradient(f)
+    weights[[0, -1]] = 0.5 * np.abs(np.diff(f)[[0, -1]])
+    dense = root_on(model, own, modes, Nodes(f, weights, np.zeros(len(f))))
+    ours = root_on(model, own, modes, nodes_of(own, modes))
+    expected, found = dense @ dense.T, ours @ ours.T
+    scale = np.sqrt(np.diag(expected))
+    assert np.abs((found - expected) / np.outer(scale, scale)).max() < 2e-6
+
+
+def test_what_is_measured_and_what_is_not(model):
+    samples = LikelihoodBatch.coerce(BINARY)
+    three = forecast(model, network(), samples)
+    assert three.names == (*COORDINATES, "right_ascension", "declination", "polarization_angle")
+    assert not three.singular[0]
+    assert three.snr[0] == pytest.approx(np.sqrt((three.detector_snr[0] ** 2).sum()))
+    errors = three.errors()
+    assert errors["log_chirp_mass"][0] < 1e-4
+    assert 0.0 < three.sky_area(np.array([0.4]))[0] < 1e4
+    np.testing.assert_allclose(three.covariance[0] @ three.matrix[0], np.eye(13), atol=1e-3)
+    # One detector that stands still sees a complex number: distance, orientation and place are one another.
+    one = forecast(model, network(["E1"], moving=False), samples, ForecastOptions(modes=[(2, 2)]))
+    assert one.singular[0]
+    assert np.isnan(one.covariance).all()
+    assert np.isfinite(one.snr).all()
+    wide = {"inclination": 0.5, "log_distance": 1.0, "right_ascension": 1.0, "declination": 1.0,
+            "polarization_angle": 1.0, "reference_phase": 3.0}  # fmt: skip
+    with_priors = forecast(model, network(["E1"], moving=False), samples, ForecastOptions(modes=[(2, 2)], priors=wide))
+    assert not with_priors.singular[0]
+    assert with_priors.errors()["inclination"][0] <= 0.5
+
+
+def test_errors_do_not_depend_on_where_the_phase_is_held(model):
+    samples = LikelihoodBatch.coerce(BINARY)
+    one, other = (
+        forecast(model, network(), samples, ForecastOptions(reference_frequency=f)).errors() for f in (40.0, 150.0)
+    )
+    for name in ("log_chirp_mass", "lambda_tilde", "chi_1", "log_distance", "right_ascension"):
+        assert one[name][0] == pytest.approx(other[name][0], rel=1e-4)
+
+
+def test_louder_is_better_in_proportion(model):
+    near, far = (
+        forecast(model, network(), LikelihoodBatch.coerce(dataclasses.replace(BINARY, distance_mpc=d)))
+        for d in (50.0, 100.0)
+    )
+    assert near.snr[0] == pytest.approx(2.0 * far.snr[0])
+    assert near.errors()["chi_1"][0] == pytest.approx(0.5 * far.errors()["chi_1"][0], rel=1e-5)
+
+
+def test_rows_that_are_none_are_flagged(model):
+    values = LikelihoodBatch.coerce(BINARY).values.repeat(3, axis=0)
+    batch = LikelihoodBatch(values.copy())
+    batch["mass_ratio"][:] = [1.3, 99.0, 1.3]
+    found = forecast(model, network(), batch)
+    assert found.status.tolist() == [RowStatus.OK, RowStatus.OUT_OF_DOMAIN, RowStatus.OK]
+    assert np.isnan(found.snr[1])
+    assert np.isnan(found.covariance[1]).all()
+    assert found.snr[0] == found.snr[2]
+
+
+def test_directions_that_leave_the_model_are_said(model):
+    found = forecast(model, network(), LikelihoodBatch.coerce(dataclasses.replace(BINARY, distance_mpc=4000.0)))
+    assert found.beyond[0, found.names.index("chi_1")]
+
+
+def test_what_is_no_network_or_prior_is_refused(model):
+    with pytest.raises(AnalysisInvalid, match="a noise curve for each"):
+        Network(["E1", "E2"], [curve()], 5.0, 100.0, TRIGGER)
+    with pytest.raises(AnalysisInvalid, match="0 < f_min < f_max"):
+        network(f_min=100.0, f_max=10.0)
+    with pytest.raises(AnalysisInvalid, match="no detector 'X9'"):
+        network(["X9"])
+    with pytest.raises(AnalysisInvalid, match="has data in the band"):
+        Network(["E1"], [curve(5000.0, 6000.0)], 5.0, 100.0, TRIGGER)
+    with pytest.raises(AnalysisInvalid, match="PSD"):
+        NoiseCurve.of([1.0, 2.0], [1e-46, 1e-47])
+    with pytest.raises(InvalidRequest, match="positive width"):
+        forecast(model, network(), BINARY, ForecastOptions(priors={"mass_ratio": 1.0}))
+    with pytest.raises(InvalidRequest, match="none of them"):
+        forecast(model, network(), BINARY, ForecastOptions(coordinates=("chirp", *COORDINATES[1:])))
+
+
+def test_factors_are_those_of_householder():
+    random = np.random.default_rng(1)
+    columns = random.standard_normal((4, 5, 300))
+    columns[:, 4] = columns[:, 3] + 1e-6 * columns[:, 4]
+    ours = triangular(columns)
+    for row, own in zip(columns, ours, strict=True):
+        expected = np.linalg.qr(row.T, mode="r")
+        np.testing.assert_allclose(np.abs(own), np.abs(expected), rtol=1e-8, atol=1e-9)
+    assert np.isinf(condition(triangular(np.zeros((1, 3, 10)))))[0]
+
+
+@pytest.mark.parametrize(("name", "best"), [("ET-D", 3.19e-25), ("CE40", 7.76e-26), ("CE20", 1.74e-25)])
+def test_curves_come_with_the_package(name, best):
+    assert NoiseCurve.named(name).asd.min() == pytest.approx(best, rel=0.01, abs=0.0)
+
+
+def test_curves_are_read(tmp_path):
+    file = tmp_path / "curve.txt"
+    file.write_text("# Hz, ASD\n10 1e-23\n20 1e-24\n")
+    assert NoiseCurve.read(file).asd.tolist() == [1e-23, 1e-24]
+    file.write_text("nothing")
+    with pytest.raises(AnalysisInvalid, match="is no text file of two columns"):
+        NoiseCurve.read(file)
+    with pytest.raises(AnalysisInvalid, match="no noise curve 'ET-E'; known are ET-D"):
+        NoiseCurve.named("ET-E")
