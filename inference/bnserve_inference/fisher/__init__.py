@@ -3,5 +3,20 @@
 from bnserve_inference.fisher._forecasting import COORDINATES, ForecastOptions, forecast
 from bnserve_inference.fisher._matrix import Forecast
 from bnserve_inference.fisher._network import Network, NoiseCurve
+from bnserve_inference.fisher._population import as_samples, read_population
+from bnserve_inference.fisher._runs import forecast_catalogue
+from bnserve_inference.fisher._summary import draw_forecasts, summary
 
-__all__ = ["COORDINATES", "Forecast", "ForecastOptions", "Network", "NoiseCurve", "forecast"]
+__all__ = [
+    "COORDINATES",
+    "Forecast",
+    "ForecastOptions",
+    "Network",
+    "NoiseCurve",
+    "as_samples",
+    "draw_forecasts",
+    "forecast",
+    "forecast_catalogue",
+    "read_population",
+    "summary",
+]

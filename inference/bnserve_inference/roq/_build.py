@@ -9,6 +9,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
+from bnserve_inference._workers import ModelSource, Progress, Workers
 from bnserve_inference.roq._config import RoqConfiguration, TermSection
 from bnserve_inference.roq._cycles import Cycles
 from bnserve_inference.roq._diagnostics import full_grid_figures, growth_figures, validation_figures
@@ -20,7 +21,6 @@ from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._sampling import Draws, Prior
 from bnserve_inference.roq._storage import Checkpoints, working_in
 from bnserve_inference.roq._validation import validate
-from bnserve_inference.roq._workers import ModelSource, Progress, Workers
 from bnserve_protocol import UniformGrid, WaveformModel
 
 _CODE = 1

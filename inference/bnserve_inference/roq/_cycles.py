@@ -11,13 +11,13 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from bnserve_inference._workers import Progress, Workers
 from bnserve_inference.roq._config import CycleSection, PreselectionSection
 from bnserve_inference.roq._errors import ConstructionFailed
 from bnserve_inference.roq._family import Family, InterpolationTask, ProjectionTask
 from bnserve_inference.roq._growth import PRESELECTION, Elements, Growth
 from bnserve_inference.roq._interpolation import residuals, squared_norms
 from bnserve_inference.roq._sampling import CHUNK_ROWS, Draws
-from bnserve_inference.roq._workers import Progress, Workers
 from bnserve_protocol import ParameterBatch
 
 Keep = Callable[[Growth], None]

@@ -7,12 +7,12 @@ from typing import Any
 
 import numpy as np
 
+from bnserve_inference._workers import ModelSource
 from bnserve_inference.roq._errors import ConstructionFailed
 from bnserve_inference.roq._frequency_grid import FrequencyGrid
 from bnserve_inference.roq._interpolant import Alignment, AnyArray, FloatArray, Term, evaluate_term
 from bnserve_inference.roq._interpolation import interpolation_errors, projection_errors, squared_norms
 from bnserve_inference.roq._sampling import Draws, Prior
-from bnserve_inference.roq._workers import ModelSource
 from bnserve_protocol import ParameterBatch
 
 

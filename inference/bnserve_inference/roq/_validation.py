@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from bnserve_inference._workers import Progress, Workers
 from bnserve_inference.roq._errors import BasisFileInvalid
 from bnserve_inference.roq._family import Family, normalised
 from bnserve_inference.roq._interpolant import FloatArray, Term, WaveformInterpolant, evaluate_term
@@ -14,7 +15,6 @@ from bnserve_inference.roq._interpolation import interpolation_errors
 from bnserve_inference.roq._quadrature import ReducedOrderQuadrature
 from bnserve_inference.roq._sampling import CHUNK_ROWS, Draws, Prior
 from bnserve_inference.roq._storage import Checkpoints
-from bnserve_inference.roq._workers import Progress, Workers
 from bnserve_protocol import ParameterBatch, WaveformModel
 
 _LIMIT = 1e-3

@@ -43,6 +43,15 @@ def name_and_version(model: str) -> tuple[str, str]:
     return name, version or "stable"
 
 
+def open_model(model: str, stores: list[Path] | None) -> Any:
+    """The local model ``NAME[@VERSION]``, of these stores or of those that ship with the package."""
+    from bnserve_store import ModelStore
+    from bnserve_surrogate import Model
+
+    name, version = name_and_version(model)
+    return Model.load(name, version, store=ModelStore.default(stores or ()))
+
+
 def modes_of(text: str | None) -> tuple[tuple[int, int], ...] | None:
     """From ``22,33``, degree and order of each mode; None, for all, where nothing is given.
 

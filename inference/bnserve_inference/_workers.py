@@ -66,7 +66,7 @@ class Workers:
         self._pool: Any = None
 
     def __enter__(self) -> Self:
-        self._joblib = require("joblib", "Building a basis", "roq")
+        self._joblib = require("joblib", "Working with several processes", "roq")
         if self._backend.partition(":")[0] == RAY:
             self._pool = self._stack.enter_context(RayWorkers(self._joblib, self._backend, self._n_jobs))
             return self
@@ -99,7 +99,7 @@ class Progress:
         if not self._shown:
             yield lambda done, note: None
             return
-        tqdm = require("tqdm", "Building a basis", "roq").tqdm
+        tqdm = require("tqdm", "A progress bar", "roq").tqdm
         with tqdm(total=total, desc=label, initial=done, leave=False, dynamic_ncols=True) as bar:
 
             def show(done: int, note: str) -> None:

@@ -1,0 +1,62 @@
+"""What a catalogue's forecasts are in a few numbers, and in a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_protocol import RowStatus, require
+
+_LOUD = (8.0, 12.0, 100.0)
+_PANELS = {
+    "snr": "signal-to-noise ratio",
+    "error/log_distance": "error of ln distance",
+    "sky_area_90": "90 % of the sky, square degrees",
+    "error/lambda_tilde": "error of Lambda-tilde",
+}
+
+
+def summary(found: Mapping[str, NDArray[Any]]) -> dict[str, float]:
+    """Counts and medians, of the binaries that a network hears (signal-to-noise ratio 12)."""
+    fine = found["status"] == RowStatus.OK
+    numbers: dict[str, float] = {"binaries": len(fine), "not evaluated": int((~fine).sum())}
+    for level in _LOUD:
+        numbers[f"snr above {level:g}"] = int((found["snr"] > level).sum())
+    heard = fine & (found["snr"] > _LOUD[1])
+    numbers["of these not measured (singular)"] = int((heard & found["singular"]).sum())
+    if not heard.any():
+        return numbers
+    for name in ("snr", "sky_area_90", *(key for key in found if key.startswith("error/"))):
+        own = found[name][heard & np.isfinite(found[name])]
+        if len(own):
+            numbers[f"median {name.removeprefix('error/')}" + (" error" if "/" in name else "")] = float(np.median(own))
+    return numbers
+
+
+def draw_forecasts(found: Mapping[str, NDArray[Any]], path: Path) -> None:
+    """How many binaries have less than so much: signal-to-noise ratio, errors of distance and tides, sky areas."""
+    require("matplotlib", "A picture of forecasts", "roq")
+    from matplotlib.figure import Figure
+
+    panels = {name: text for name, text in _PANELS.items() if name in found}
+    figure = Figure(figsize=(9.0, 6.5), layout="constrained")
+    for axes, (name, label) in zip(figure.subplots(2, 2).ravel(), panels.items(), strict=False):
+        values = np.sort(found[name][np.isfinite(found[name])])
+        if not len(values):
+            continue
+        axes.step(values, np.arange(1, len(values) + 1), where="post", color="#1f6feb")
+        axes.set_xscale("log")
+        axes.set_yscale("log")
+        axes.set_xlabel(label)
+        axes.set_ylabel("binaries with less")
+        axes.grid(visible=True, alpha=0.3)
+    draft = path.with_name(f".draft-{path.name}")
+    try:
+        figure.savefig(draft, dpi=120)
+        draft.replace(path)
+    finally:
+        draft.unlink(missing_ok=True)

@@ -1,0 +1,126 @@
+"""Forecasts of catalogues: files of other programs, interruptions, and what the command says."""
+
+import json
+
+import h5py
+import numpy as np
+import pytest
+
+from bnserve_inference.fisher import as_samples, read_population
+from bnserve_protocol import AnalysisInvalid, InvalidParameters
+from bnserve_service.cli import main
+
+COLUMNS = {
+    "mass_1": [1.5, 1.7, 1.6], "mass_2": [1.3, 1.4, 1.5], "luminosity_distance": [100.0, 300.0, 40.0],
+    "theta_jn": [0.4, 1.2, 2.0], "ra": [1.0, 2.0, 3.0], "dec": [0.1, -0.4, 0.9], "psi": [0.3, 0.5, 0.7],
+    "phase": [1.0, 2.0, 3.0], "geocent_time": [1.7e9, 1.7e9 + 5e6, 1.7e9 + 1e7], "redshift": [0.02, 0.07, 0.01],
+    "lambda_1": [300.0, 200.0, 250.0], "lambda_2": [500.0, 600.0, 300.0],
+}  # fmt: skip
+
+
+@pytest.fixture
+def text(tmp_path):
+    file = tmp_path / "population.csv"
+    rows = zip(*COLUMNS.values(), strict=True)
+    file.write_text("\n".join([",".join(COLUMNS), *(",".join(map(repr, row)) for row in rows)]))
+    return file
+
+
+def hdf5(tmp_path, columns=COLUMNS):
+    file = tmp_path / "population.h5"
+    with h5py.File(file, "w") as stored:
+        for name, column in columns.items():
+            stored.create_dataset(f"injections/{name}", data=column)
+    return file
+
+
+def test_files_say_the_same(text, tmp_path):
+    ours, other = (as_samples(read_population(file)) for file in (text, hdf5(tmp_path)))
+    assert ours[1] == other[1] == 1.7e9
+    assert ours[0].values.tobytes() == other[0].values.tobytes()
+    assert ours[0]["coalescence_time"].tolist() == [0.0, 5e6, 1e7]
+    assert ours[0]["total_mass"] == pytest.approx([2.8, 3.1, 3.1])
+    assert ours[0]["chi_1"].tolist() == [0.0, 0.0, 0.0]
+
+
+def test_a_table_of_pandas_is_read(tmp_path):
+    """The fixed format, as GWFish's catalogues have it; pandas needs PyTables to write it, so its layout is written."""
+    file = tmp_path / "table.hdf5"
+    with h5py.File(file, "w") as stored:
+        group = stored.create_group("root")
+        group["block0_items"] = np.array([name.encode() for name in COLUMNS])
+        group["block0_values"] = np.array(list(COLUMNS.values())).T
+    assert {name: column.tolist() for name, column in read_population(file).items()} == COLUMNS
+
+
+def test_masses_of_the_source_are_redshifted():
+    columns = {name: np.array(column) for name, column in COLUMNS.items()}
+    source = columns | {"mass_1_source": columns["mass_1"], "mass_2_source": columns["mass_2"]}
+    del source["mass_1"], source["mass_2"]
+    assert as_samples(source)[0]["total_mass"] == pytest.approx([2.8 * 1.02, 3.1 * 1.07, 3.1 * 1.01])
+    del source["redshift"]
+    with pytest.raises(AnalysisInvalid, match="give 'redshift' too"):
+        as_samples(source)
+
+
+def test_what_is_no_catalogue_is_refused(tmp_path):
+    file = tmp_path / "notes.txt"
+    file.write_text("some words\nand more")
+    with pytest.raises(AnalysisInvalid, match="is no catalogue"):
+        read_population(file)
+    with pytest.raises(AnalysisInvalid, match="missing"):
+        read_population(tmp_path / "missing.h5")
+    columns = {name: np.array(column) for name, column in COLUMNS.items()}
+    with pytest.raises(AnalysisInvalid, match="'geocent_time' in GPS seconds"):
+        as_samples({name: column for name, column in columns.items() if name != "geocent_time"})
+    with pytest.raises(InvalidParameters, match="mass_l"):
+        as_samples(columns | {"mass_l": columns["mass_1"]})
+
+
+def run(text, tmp_path, *more):
+    command = ["fisher", str(text), "--output", str(tmp_path / "out.h5"), "--work", str(tmp_path / "runs")]
+    return main([*command, "--quadrupole", "--f-min", "20", "--no-progress", "--jobs", "1", *more])
+
+
+def test_the_command_writes_says_and_goes_on(text, tmp_path, capsys):
+    assert run(text, tmp_path, "--network", "ET,CE1", "--json", "--plot", str(tmp_path / "out.png")) == 0
+    said = json.loads(capsys.readouterr().out)
+    assert said["binaries"] == said["snr above 12"] == 3
+    with h5py.File(tmp_path / "out.h5") as stored:
+        snr, covariance = stored["snr"][()], stored["covariance"][()]
+        assert stored["detector_snr"].shape == (3, 4)
+        assert stored.attrs["model"].startswith("default 2.0.0 sha256:")
+        assert "error/lambda_tilde" in stored
+    assert snr[2] > snr[0] > snr[1]
+    assert (tmp_path / "out.png").read_bytes()[:4] == b"\x89PNG"
+    # What is finished is not done again: a piece that says something else is taken as it is.
+    [piece] = (tmp_path / "runs").glob("fisher-*/*.npz")
+    with np.load(piece) as kept:
+        changed = {name: kept[name] for name in kept.files}
+    np.savez(piece, **changed | {"snr": changed["snr"] + 1.0})
+    assert run(text, tmp_path, "--network", "ET,CE1") == 0
+    with h5py.File(tmp_path / "out.h5") as stored:
+        assert stored["snr"][()].tolist() == (snr + 1.0).tolist()
+        assert stored["covariance"][()].tobytes() == covariance.tobytes()
+    assert "Forecasts: " in capsys.readouterr().out
+    assert run(text, tmp_path, "--network", "ET") == 0  # another question
+    assert len(list((tmp_path / "runs").glob("fisher-*"))) == 2
+
+
+@pytest.mark.parametrize(
+    ("more", "words"),
+    [
+        (("--network", "H1"), "--noise H1=FILE"),
+        (("--network", "ET,X7"), "--noise X7=FILE"),
+        (("--noise", "E1"), "NAME=VALUE"),
+        (("--prior", "lambda_tilde=wide"), "has no number"),
+        (("--prior", "mass=1"), "positive width"),
+        (("--model", "defualt"), "defualt"),
+    ],
+)
+def test_mistakes_are_one_sentence(text, tmp_path, capsys, more, words):
+    assert run(text, tmp_path, *more) == 2
+    said = capsys.readouterr().err
+    assert words in said
+    assert "Traceback" not in said
+    assert not (tmp_path / "out.h5").exists()
