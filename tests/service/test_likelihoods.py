@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from bnserve_inference import likelihood
-from bnserve_protocol import LIKELIHOOD_NAMES, Calibration, RowStatus
+from bnserve_protocol import LIKELIHOOD_NAMES, Calibration, RowStatus, likelihood_samples
 from bnserve_protocol.wire import encode_likelihood_request
 from tests.service.asking import JSON, MSGPACK, as_array, ask, read_msgpack
 from tests.service.chirp import ChirpModel
@@ -131,6 +131,21 @@ def test_large_requests_for_more_are_divided_and_grouped_without_a_trace(server,
             for name in ("log_likelihood", "reference_phase" if output == "draws" else "d_inner_h"):
                 assert part[name].tobytes() == whole[name][rows].tobytes()
     assert all(len(array) == 0 for array in asked(slice(0, 0)).values() if isinstance(array, np.ndarray))
+
+
+@pytest.mark.parametrize("output", ["products", "draws"])
+def test_the_largest_request_fits_into_the_smallest_queue_whatever_it_asks_for(start, output):
+    """It was refused for ever: what it costs is more than a likelihood, and so is each of its pieces."""
+    limits = {"max_rows": 64, "max_samples": 2**18, "queue_samples": 2**18 + 64 * 1_000 + 10_000}
+    server = start(ChirpModel(), threads=2, group_samples=2**14, **limits)
+    analysis = small_analysis(f_max=360.0, phase_marginalisation=True)
+    assert 0.9 < 64 * likelihood_samples(analysis) / 2**18 <= 1.0
+    upload(server.address, analysis)
+    numbers = np.full((64, 3), 0.5) if output == "draws" else None
+    body = encode_likelihood_request(analysis.digest, samples(64), output, numbers)
+    path = f"/v1/models/chirp/likelihoods/{name_of(analysis)}"
+    answer = ask(server.address, "POST", path, body, content_type=MSGPACK)
+    assert answer.status == 200, answer.body
 
 
 def test_a_version_or_a_label_may_be_named(server):

@@ -153,7 +153,7 @@ class Likelihoods(Kind[LikelihoodQuestion]):
             key=(id(model), analysis.digest, batch.absent, nodes, output),
             cost=min(
                 len(batch) * (samples * _unnamed_modes(analysis, model) * _WORK[output] + ROW_COST) + REQUEST_COST,
-                self._limits.queue_samples,
+                self._limits.queue_samples // 2,  # in whatever pieces, each of which costs a request, it fits
             ),
             answer_bytes=len(batch) * _bytes_per_row(analysis, output),
             answer_type=request.answer_type,
