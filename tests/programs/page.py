@@ -31,7 +31,7 @@ OTHER = re.compile(r"\S.* = |\[|def ")
 ELSEWHERE = {
     r"\bpip install\b": "tests/programs.sh installs so, in the environments of the programs and of the examples",
     r"bnserve serve\b": "the server of the tests stands in the place of one that is started here",
-    r"bnserve (train|search|validate|roq|models|doctor|tokens)\b": (
+    r"bnserve (analyse|train|search|validate|roq|models|doctor|tokens)\b": (
         "trained for minutes or hours, or a name that the reader has: tests/architecture/test_documented_commands.py "
         "reads them, tests of each command run them, tests/integration/test_own_model.py goes the whole way"
     ),

@@ -1,7 +1,7 @@
 """What is analysed, and how: the configuration of ``bnserve analyse``, a closed schema in TOML."""
 
 from bnserve_posterior.events._errors import EventInvalid, OutputExists
-from bnserve_posterior.events._reading import parse_event, read_event
+from bnserve_posterior.events._reading import changed_event, parse_event, read_event
 from bnserve_posterior.events._sections import (
     DataSection,
     DetectorSection,
@@ -24,6 +24,7 @@ __all__ = [
     "OutputExists",
     "OutputSection",
     "SamplerSection",
+    "changed_event",
     "parse_event",
     "read_event",
 ]

@@ -39,6 +39,23 @@ def parse_event(table: dict[str, Any]) -> Event:
     return event
 
 
+def changed_event(event: Event, *, folder: Path | None = None, seed: int | None = None) -> Event:
+    """The event with another folder for the results, or another seed of the sampler.
+
+    Raises
+    ------
+    EventInvalid
+        A seed below zero.
+    """
+    if seed is not None:
+        if seed < 0:
+            raise EventInvalid(f"A seed is a whole number from 0 on; got {seed}.")
+        event = msgspec.structs.replace(event, sampler=msgspec.structs.replace(event.sampler, seed=seed))
+    if folder is not None:
+        event = msgspec.structs.replace(event, output=msgspec.structs.replace(event.output, folder=str(folder)))
+    return event
+
+
 def _data_problems(data: DataSection) -> Iterator[str]:
     for name in ("trigger_time", "duration", "start_time", "f_min", "f_max", "roll_off"):
         value = getattr(data, name)

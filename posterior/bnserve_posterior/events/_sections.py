@@ -101,10 +101,11 @@ class LikelihoodSection(_Section, frozen=True, kw_only=True):
 
 
 class SamplerSection(_Section, frozen=True, kw_only=True):
-    """How many ``effective`` samples the posterior shall be worth, with how many ``particles``, and the ``seed``."""
+    """How many ``effective`` samples the posterior shall be worth, how many ``particles`` each of the two populations
+    that look for it has, and the ``seed``."""
 
     effective: Count = 10_000
-    particles: Annotated[int, Meta(ge=100)] = 4000
+    particles: Annotated[int, Meta(ge=100)] = 2000
     seed: Natural = 1
 
 

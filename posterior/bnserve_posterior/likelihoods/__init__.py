@@ -1,8 +1,9 @@
 """The likelihood of an event over its prior: the cheapest that is exact enough."""
 
 from bnserve_posterior.likelihoods._building import Choice, build_likelihood, full_likelihood
+from bnserve_posterior.likelihoods._doubts import model_doubts
 from bnserve_posterior.likelihoods._marginalised import integrated_names, marginalised_distance
-from bnserve_posterior.likelihoods._ranges import analysis_ranges, part_outside
+from bnserve_posterior.likelihoods._ranges import analysis_ranges
 
 __all__ = [
     "Choice",
@@ -11,5 +12,5 @@ __all__ = [
     "full_likelihood",
     "integrated_names",
     "marginalised_distance",
-    "part_outside",
+    "model_doubts",
 ]

@@ -15,7 +15,6 @@ from bnserve_protocol import LIKELIHOOD_NAMES, ModelDescription
 Floats = NDArray[np.float64]
 _MASSES = ("chirp_mass", "mass_ratio", "total_mass", "mass_1", "mass_2", "symmetric_mass_ratio")
 _OTHERS = ("chi_1", "chi_2", "lambda_1", "lambda_2")
-_DRAWS, _SEED = 10_000, 14
 _POINT = 1e-9
 """Of a value: half of the width of the range of what is fixed."""
 
@@ -28,7 +27,7 @@ def analysis_ranges(cube: PriorCube, model: ModelDescription) -> dict[str, tuple
     EventInvalid
         Prior and model do not meet.
     """
-    trained = _trained(model)
+    trained = trained_ranges(model)
     found = {}
     for name, (low, high) in _prior_ranges(cube).items():
         covered = trained.get(name, (-np.inf, np.inf))
@@ -42,7 +41,7 @@ def analysis_ranges(cube: PriorCube, model: ModelDescription) -> dict[str, tuple
     return found
 
 
-def _trained(model: ModelDescription) -> dict[str, tuple[float, float]]:
+def trained_ranges(model: ModelDescription) -> dict[str, tuple[float, float]]:
     """What the model covers, of the parameters that it says it of."""
     return {
         one.name: (-np.inf if one.minimum is None else one.minimum, np.inf if one.maximum is None else one.maximum)
@@ -87,14 +86,3 @@ def _opened(low: float, high: float) -> tuple[float, float]:
     if low < high:
         return low, high
     return low - _POINT * max(1.0, abs(low)), high + _POINT * max(1.0, abs(high))
-
-
-def part_outside(cube: PriorCube, model: ModelDescription) -> float:
-    """The part of the prior that the model does not cover, where there is no likelihood."""
-    values = cube(np.random.default_rng(_SEED).random((_DRAWS, len(cube))))
-    batch = cube.batch(values)
-    outside = np.zeros(len(batch), dtype=bool)
-    for name, (low, high) in _trained(model).items():
-        outside |= (batch[name] < low) | (batch[name] > high)
-    allowed = cube.allowed(values)
-    return float(np.mean(outside[allowed])) if allowed.any() else 0.0

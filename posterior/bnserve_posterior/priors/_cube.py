@@ -131,6 +131,20 @@ class PriorCube:
         turned = values["psi"] + _QUARTER * random.integers(2, size=len(values["psi"]))
         return {**values, "psi": turned}
 
+    def periodic(self) -> tuple[int, ...]:
+        """Columns whose ends are the same: ``psi`` and the phase over all of their range.
+
+        The right ascension is none: proposals take it together with the declination.
+        """
+        whole = {"psi": 0.5 * math.pi if self.folded else math.pi, "reference_phase": 4.0 * math.pi}
+        found = []
+        for name, period in whole.items():
+            if name in self.names:
+                low, high = self.rescaled(name, np.array([0.0, 1.0]))
+                if type(self.priors[name]).__name__ == "Uniform" and math.isclose(high - low, period):
+                    found.append(self.names.index(name))
+        return tuple(found)
+
     def _psi_is_even(self) -> bool:
         from bilby.core.prior import Uniform
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal
 
@@ -56,28 +57,41 @@ def bilby_result(
     names = ["geocent_time" if name == "coalescence_time" else name for name in cube.names]
     known = [name for name in (*names, *integrated) if name in frame]
     frame["log_prior"] = sum(np.asarray(priors[name].ln_prob(frame[name].to_numpy())) for name in known)
-    return CBCResult(
-        label=label,
-        outdir=".",
-        sampler="bnserve",
-        search_parameter_keys=names,
-        fixed_parameter_keys=list(cube.fixed),
-        constraint_parameter_keys=list(cube.constraints),
-        priors=priors,
-        sampler_kwargs=dict(settings),
-        injection_parameters=None if injection is None else dict(injection),
-        meta_data=dict(meta_data),
-        posterior=frame,
-        samples=frame[names].to_numpy(),
-        log_evidence=log_evidence + noise_log_likelihood,
-        log_evidence_err=posterior.log_evidence_error,
-        log_noise_evidence=noise_log_likelihood,
-        log_bayes_factor=log_evidence,
-        log_likelihood_evaluations=samples.log_likelihood,
-        num_likelihood_evaluations=posterior.likelihoods,
-        sampling_time=seconds,
-        version=f"bnserve={meta_data['versions']['bnserve']}",
-    )
+    with _quiet():
+        return CBCResult(
+            label=label,
+            outdir=".",
+            sampler="bnserve",
+            search_parameter_keys=names,
+            fixed_parameter_keys=list(cube.fixed),
+            constraint_parameter_keys=list(cube.constraints),
+            priors=priors,
+            sampler_kwargs=dict(settings),
+            injection_parameters=None if injection is None else dict(injection),
+            meta_data=dict(meta_data),
+            posterior=frame,
+            samples=frame[names].to_numpy(),
+            log_evidence=log_evidence + noise_log_likelihood,
+            log_evidence_err=posterior.log_evidence_error,
+            log_noise_evidence=noise_log_likelihood,
+            log_bayes_factor=log_evidence,
+            log_likelihood_evaluations=samples.log_likelihood,
+            num_likelihood_evaluations=posterior.likelihoods,
+            sampling_time=seconds,
+            version=f"bnserve={meta_data['versions']['bnserve']}",
+        )
+
+
+@contextlib.contextmanager
+def _quiet() -> Iterator[None]:
+    """bilby says of every result that is made which of its fields it left out."""
+    logger = logging.getLogger("bilby")
+    before = logger.level
+    logger.setLevel(logging.WARNING)
+    try:
+        yield
+    finally:
+        logger.setLevel(before)
 
 
 def save_result(result: Any, path: Path, kind: Literal["json", "hdf5"]) -> None:
@@ -89,7 +103,6 @@ def save_result(result: Any, path: Path, kind: Literal["json", "hdf5"]) -> None:
         The file cannot be written.
     """
     partial = path.with_name(f"part.{path.name}")
-    logging.getLogger("bilby").setLevel(logging.WARNING)
     try:
         result.save_to_file(filename=str(partial), extension=kind, overwrite=True)
         os.replace(partial, path)  # noqa: PTH105  (of two names in one folder)

@@ -2,5 +2,6 @@
 
 from bnserve_posterior.running._chain import Outcome, Prepared, prepare, run
 from bnserve_posterior.running._folder import Folder
+from bnserve_posterior.running._summary import describe, meta_data
 
-__all__ = ["Folder", "Outcome", "Prepared", "prepare", "run"]
+__all__ = ["Folder", "Outcome", "Prepared", "describe", "meta_data", "prepare", "run"]

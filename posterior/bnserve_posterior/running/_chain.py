@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from bnserve_inference import likelihood
 from bnserve_posterior.data import EventData, load_data
 from bnserve_posterior.events import Event
-from bnserve_posterior.likelihoods import build_likelihood, full_likelihood, integrated_names, part_outside
+from bnserve_posterior.likelihoods import build_likelihood, full_likelihood, integrated_names, model_doubts
 from bnserve_posterior.priors import PriorCube, coordinates_of, priors_of
 from bnserve_posterior.results import FullCheck, Samples, check_with_full, samples_of_posterior
 from bnserve_posterior.running._folder import Folder
@@ -67,10 +67,24 @@ class Prepared:
             result[some] = self.bound.log_likelihood(batch)
         return result
 
+    def try_likelihood(self, draws: int = 1000) -> dict[str, Any]:
+        """How the likelihood is at draws from the prior: how many are possible, the largest, and what one costs."""
+        u = np.random.default_rng(self.event.sampler.seed).random((draws, len(self.cube)))
+        started = time.perf_counter()
+        found = self.log_likelihood(u)
+        return {
+            "draws": draws,
+            "possible": int(np.isfinite(found).sum()),
+            "largest_log_likelihood": float(found.max()),
+            "noise_log_likelihood": self.analysis.settings.noise_log_likelihood,
+            "microseconds": 1e6 * (time.perf_counter() - started) / draws,
+        }
+
     def problem(self) -> Problem:
         """What is sampled."""
         sites = [one.site() for one in self.data.detectors]
-        return Problem(self.log_likelihood, len(self.cube), coordinates_of(self.cube, sites))
+        coordinates = coordinates_of(self.cube, sites)
+        return Problem(self.log_likelihood, len(self.cube), coordinates, self.cube.periodic())
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,12 +126,7 @@ def prepare(event: Event, model: WaveformModel, folder: Folder) -> Prepared:
     cube = PriorCube(priors, event.data.trigger_time, integrated, quadrupole)
     data = load_data(event, model, section.modes)
     folder.claim(_fingerprint(event, data, model))
-    doubts = [*data.doubts]
-    if outside := part_outside(cube, model.description):
-        doubts.append(
-            f"{outside:.1%} of the prior is outside of what {model.description.name} {model.description.version} "
-            "covers; there the likelihood is taken to be zero."
-        )
+    doubts = [*data.doubts, *model_doubts(cube, model.description, event.data)]
     kept = folder.analysis()
     if kept is None:
         kept = build_likelihood(event, data, cube, model)
@@ -139,7 +148,8 @@ def run(prepared: Prepared, folder: Folder, report: Report | None = None) -> Out
     event, started = prepared.event, time.perf_counter()
     section = event.sampler
     settings = Settings(effective=section.effective, particles=section.particles, seed=section.seed)
-    posterior = sample(prepared.problem(), settings, checkpoint=folder.checkpoint, progress=report)
+    with folder.writing():
+        posterior = sample(prepared.problem(), settings, checkpoint=folder.checkpoint, progress=report)
     sampled = time.perf_counter()
     samples = samples_of_posterior(posterior, prepared.cube, prepared.bound, prepared.integrated, section.seed)
     drawn = time.perf_counter()

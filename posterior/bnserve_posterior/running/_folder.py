@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import json
 import os
+from collections.abc import Iterator
 from pathlib import Path
 
-from bnserve_posterior.events import EventInvalid, OutputExists
+from bnserve_posterior.events import EventInvalid, OutputExists, OutputSection
 from bnserve_posterior.likelihoods import Choice
 from bnserve_protocol import decode_analysis, encode_analysis
 
@@ -19,12 +21,8 @@ class Folder:
 
     Parameters
     ----------
-    path
-        Made if need be.
-    label
-        Begins the names of results.
-    ending
-        Of the result: ``"json"`` or ``"hdf5"``.
+    section
+        Names the folder, which is made if need be, and the results.
     resume, force
         Whether a run that is there goes on, or is thrown away.
 
@@ -36,10 +34,11 @@ class Folder:
         The folder cannot be written.
     """
 
-    def __init__(self, path: Path, label: str, ending: str, *, resume: bool = False, force: bool = False) -> None:
-        self.path = path
-        self.result = path / f"{label}_result.{ending}"
-        self.page = path / f"{label}.html"
+    def __init__(self, section: OutputSection, *, resume: bool = False, force: bool = False) -> None:
+        self.path = path = Path(section.folder)
+        self.label = section.label or path.resolve().name
+        self.result = path / f"{self.label}_result.{section.format}"
+        self.page = path / f"{self.label}.html"
         self.checkpoint = path / _CHECKPOINT
         if (path / _RUN).exists() and not (resume or force):
             state = "a finished run" if self.result.exists() else "a run that has not finished"
@@ -86,15 +85,29 @@ class Folder:
         self._write(f"{_ANALYSIS}.json", json.dumps(choice.facts).encode())
         self._write(_ANALYSIS, b"".join(encode_analysis(choice.analysis)))
 
-    def _write(self, name: str, content: bytes) -> None:
-        """A whole file, or none; raises ``EventInvalid``."""
-        partial = self.path / f"part.{name}"
+    @contextlib.contextmanager
+    def writing(self) -> Iterator[None]:
+        """Within the context, a file that cannot be written is an error for users.
+
+        Raises
+        ------
+        EventInvalid
+            The disk is full, or the like.
+        """
         try:
+            yield
+        except OSError as error:
+            raise EventInvalid(
+                f"Cannot write to '{self.path}': {os.strerror(error.errno or errno.EIO)}. What was finished before is "
+                "kept: make room, and go on with --resume."
+            ) from error
+
+    def _write(self, name: str, content: bytes) -> None:
+        """A whole file, or none; raises as :meth:`writing`."""
+        partial = self.path / f"part.{name}"
+        with self.writing():
             partial.write_bytes(content)
             partial.replace(self.path / name)
-        except OSError as error:
-            full = " Make room." if error.errno == errno.ENOSPC else ""
-            raise EventInvalid(f"Cannot write {self.path / name}: {os.strerror(error.errno or 0)}.{full}") from error
 
     def _clear(self) -> None:
         """Throw away what runs keep, and nothing else."""

@@ -20,8 +20,8 @@ from bnserve_service.process import output
 __all__ = ["SUBCOMMANDS", "build_parser", "main"]
 
 SUBCOMMANDS = (
-    "demo", "waveform", "serve", "doctor", "models", "tokens", "roq", "fisher", "bench", "train", "validate", "search",
-    "completion",
+    "demo", "waveform", "analyse", "serve", "doctor", "models", "tokens", "roq", "fisher", "bench", "train", "validate",
+    "search", "completion",
 )  # fmt: skip  # one line each in the help
 """Modules of this package, in the order of the help; those that this installation lacks are left out."""
 

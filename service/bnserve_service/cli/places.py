@@ -43,12 +43,34 @@ def name_and_version(model: str) -> tuple[str, str]:
     return name, version or "stable"
 
 
-def open_model(model: str, stores: list[Path] | None) -> Any:
-    """The local model ``NAME[@VERSION]``, of these stores or of those that ship with the package."""
+def open_model(
+    model: str, stores: list[Path] | None, *, url: str | None = None, token: str | None = None, purpose: str = "A model"
+) -> Any:
+    """A model ``NAME[@VERSION]`` of these stores or of those that ship with the package, or of a server.
+
+    Parameters
+    ----------
+    url, token
+        Of the server; the token may be in the environment.
+    purpose
+        What needs the client then, as the beginning of a sentence.
+
+    Raises
+    ------
+    BnserveError
+        There is no such model, or no such server.
+    """
+    from bnserve_protocol import require
+
+    name, version = name_and_version(model)
+    if url:
+        client = require("bnserve_client", purpose)
+        return client.Model.connect(
+            server_address(url), name, version=version, token=token or token_of_environment(), retries=2
+        )
     from bnserve_store import ModelStore
     from bnserve_surrogate import Model
 
-    name, version = name_and_version(model)
     return Model.load(name, version, store=ModelStore.default(stores or ()))
 
 

@@ -167,20 +167,11 @@ def _parameters(options: argparse.Namespace) -> Any:
 
 
 def _model(options: argparse.Namespace) -> WaveformModel:
-    from bnserve_protocol import require
-    from bnserve_service.cli.places import name_and_version, server_address, token_of_environment
+    from bnserve_service.cli.places import open_model
 
-    name, version = name_and_version(options.model)
-    found: WaveformModel
-    if options.url:
-        client = require("bnserve_client", "A waveform of a server")
-        token = options.token or token_of_environment()
-        found = client.Model.connect(server_address(options.url), name, version=version, token=token, retries=2)
-        return found
-    from bnserve_store import ModelStore
-    from bnserve_surrogate import Model
-
-    found = Model.load(name, version, store=ModelStore.default(options.store or ()))
+    found: WaveformModel = open_model(
+        options.model, options.store, url=options.url, token=options.token, purpose="A waveform of a server"
+    )
     return found
 
 

@@ -1,0 +1,168 @@
+"""The pictures of a run: the posterior, the data with the signal found in them, and what each detector says."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_inference import DetectorData, detector_strain
+from bnserve_posterior.results import Samples
+from bnserve_posterior.running import Outcome
+from bnserve_protocol import LIKELIHOOD_NAMES, LikelihoodParameters, require
+
+Floats = NDArray[np.float64]
+
+_STYLE = {
+    "font.size": 11,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.axisbelow": True,
+    "legend.frameon": False,
+    "savefig.dpi": 110,
+}
+_BLUE, _ORANGE, _GREY = "#0072b2", "#d55e00", "#8a97a5"
+_SHOWN = {
+    "chirp_mass": "$\\mathcal{M}$ [$M_\\odot$]", "mass_ratio": "$q$", "chi_eff": "$\\chi_{eff}$",
+    "lambda_tilde": "$\\tilde\\Lambda$", "luminosity_distance": "$d_L$ [Mpc]", "theta_jn": "$\\theta_{JN}$",
+    "ra": "ra", "dec": "dec",
+}  # fmt: skip
+_WINDOW = 0.12
+"""Seconds before the merger that whitened data are shown of; as much as the eye can follow of them."""
+_AFTER = 0.02
+_BAND = (30.0, 400.0)
+"""Hz of whitened data that are shown: where signals of neutron stars are, and most of the noise is not."""
+_CURVES = 20
+"""Samples whose signals are shown."""
+_NEEDED = "The page of a run", "analyse"
+
+
+def all_figures(outcome: Outcome) -> Iterator[tuple[str, Any]]:
+    """Captions and figures, one after the other."""
+    with _style():
+        yield "The posterior: contours hold 50 and 90 %" + _lines(outcome), corner_figure(outcome)
+        yield (
+            f"Whitened data of each detector, {_BAND[0]:g} to {_BAND[1]:g} Hz, around the merger at the detector, and "
+            f"the signals of {_CURVES} samples of the posterior over each other",
+            data_figure(outcome),
+        )
+        yield "What each detector says: ln L by detector over the samples of the posterior", budget_figure(outcome)
+
+
+def _lines(outcome: Outcome) -> str:
+    return "; orange lines are the injection" if outcome.prepared.data.injection is not None else ""
+
+
+def shown_columns(outcome: Outcome) -> dict[str, Floats]:
+    """Columns of the corner plot by name: those that vary."""
+    columns = {name: outcome.samples.values[name] for name in _SHOWN if name in outcome.samples.values}
+    return {name: values for name, values in columns.items() if np.ptp(values) > 0.0}
+
+
+def corner_figure(outcome: Outcome) -> Any:
+    """Histograms of parameters and of pairs of them."""
+    corner = require("corner", *_NEEDED)
+    columns = shown_columns(outcome)
+    truths = _truths(outcome, list(columns))
+    figure = corner.corner(
+        np.stack(list(columns.values()), axis=1), labels=[_SHOWN[name] for name in columns], truths=truths,
+        levels=(0.5, 0.9), smooth=1.0, bins=30, color=_BLUE, truth_color=_ORANGE, plot_datapoints=False,
+        plot_density=False, quantiles=(0.05, 0.5, 0.95), max_n_ticks=3, show_titles=True, title_fmt=".4g",
+        title_quantiles=(0.05, 0.5, 0.95),
+        title_kwargs={"fontsize": 10}, label_kwargs={"fontsize": 12},
+        fig=require("matplotlib.figure", *_NEEDED).Figure(figsize=(1.9 * len(columns), 1.9 * len(columns))),
+    )  # fmt: skip
+    for axis in figure.axes:
+        axis.tick_params(labelsize=8)
+    return figure
+
+
+def _truths(outcome: Outcome, names: list[str]) -> list[float | None] | None:
+    injection = outcome.prepared.data.injection
+    if injection is None:
+        return None
+    from bnserve_posterior.priors import derived_parameters
+
+    values = derived_parameters({name: np.array([value]) for name, value in injection.items()})
+    return [float(values[name][0]) if name in values else None for name in names]
+
+
+def data_figure(outcome: Outcome) -> Any:
+    """Whitened data and signals, a row for each detector."""
+    detectors = outcome.prepared.data.detectors
+    figure = require("matplotlib.figure", *_NEEDED).Figure(figsize=(9.0, 2.4 * len(detectors)), layout="constrained")
+    axes = figure.subplots(len(detectors), 1, squeeze=False, sharex=True)[:, 0]
+    for axis, data in zip(axes, detectors, strict=True):
+        times, noise = whitened(data, data.strain)
+        signals = [whitened(data, signal)[1] for signal in _signals(outcome, data)]
+        peak = times[int(np.argmax(np.abs(signals[0])))]
+        near = (times > peak - _WINDOW) & (times < peak + _AFTER)
+        axis.plot(times[near] - peak, noise[near], color=_GREY, lw=0.8, label="data")
+        for place, signal in enumerate(signals):
+            label = "signals of the posterior" if place == 0 else None
+            axis.plot(times[near] - peak, signal[near], color=_BLUE, lw=1.0, alpha=0.4, label=label)
+        axis.set_ylabel(f"{data.name} [sigma]")
+    axes[0].legend(loc="upper left")
+    axes[-1].set_xlabel("time to the largest amplitude at the detector [s]")
+    return figure
+
+
+def whitened(data: DetectorData, strain: NDArray[np.complex128]) -> tuple[Floats, Floats]:
+    """Strain over the noise against time, in units of the noise within the band that is shown.
+
+    Returns
+    -------
+    Seconds from the start of the segment, and values, ``(n,)`` each; of noise alone these have variance one.
+    """
+    frequencies = np.arange(len(data.asd)) / data.duration
+    band = (frequencies >= _BAND[0]) & (frequencies <= _BAND[1]) & (data.asd > 0.0) & np.isfinite(data.asd)
+    white = np.zeros(len(data.asd), dtype=np.complex128)
+    np.divide(strain, data.asd, out=white, where=band)
+    samples = 2 * (len(white) - 1)
+    # A real series has twice the power of its positive frequencies, each of which is T / 2 for noise.
+    unit = np.sqrt(data.duration * max(1, int(np.count_nonzero(band))))
+    return np.arange(samples) * data.duration / samples, np.fft.irfft(white) * samples / unit
+
+
+def _signals(outcome: Outcome, data: DetectorData) -> Iterator[NDArray[np.complex128]]:
+    prepared = outcome.prepared
+    band = prepared.event.data
+    frequencies = np.arange(len(data.asd)) / data.duration
+    inside = np.flatnonzero((frequencies >= band.f_min) & (frequencies <= min(band.f_max, _BAND[1])))
+    turn = np.exp(-2j * np.pi * frequencies[inside] * (band.trigger_time - data.start_time))
+    for row in range(min(_CURVES, len(outcome.samples))):
+        strain = np.zeros(len(data.asd), dtype=np.complex128)
+        strain[inside] = turn * detector_strain(
+            data.site(), frequencies[inside], prepared.model, _binary(outcome.samples, row),
+            trigger_time=band.trigger_time, modes=prepared.event.likelihood.modes,
+        )  # fmt: skip
+        yield strain
+
+
+def _binary(samples: Samples, row: int) -> LikelihoodParameters:
+    return LikelihoodParameters(**dict(zip(LIKELIHOOD_NAMES, samples.whole.values[row].tolist(), strict=True)))
+
+
+def budget_figure(outcome: Outcome) -> Any:
+    """Histograms of ln L by detector."""
+    figure = require("matplotlib.figure", *_NEEDED).Figure(figsize=(9.0, 3.2), layout="constrained")
+    axis = figure.subplots()
+    values = outcome.samples.values
+    names = [data.name for data in outcome.prepared.data.detectors]
+    for name, colour in zip(names, (_BLUE, _ORANGE, "#009e73", "#cc79a7", _GREY), strict=False):
+        axis.hist(values[f"{name}_log_likelihood"], bins=60, histtype="step", lw=1.8, color=colour, label=name)
+    axis.set(xlabel="ln L of the detector", ylabel="samples", yscale="log")
+    axis.legend()
+    return figure
+
+
+@contextmanager
+def _style() -> Iterator[None]:
+    matplotlib = require("matplotlib", *_NEEDED)
+    with matplotlib.rc_context():
+        matplotlib.rcdefaults()
+        matplotlib.rcParams.update(_STYLE)
+        yield
