@@ -6,7 +6,7 @@ import { LANGUAGES, questionOf, snippet } from "./snippets.js";
 import { pathOf } from "./questions.js";
 import { save } from "./saving.js";
 
-let language = "python";
+let language = "python", said = 0;
 
 /** Make the panel; `current()` gives `{state, model}`. */
 export function makeCode(current, failed) {
@@ -42,6 +42,7 @@ export function tellCode(state, model) {
 }
 
 async function copy(text) {
+  byId("copied").textContent = "";
   let done = true;
   try {
     await navigator.clipboard.writeText(text); // needs https, or a server on this machine
@@ -53,7 +54,8 @@ async function copy(text) {
     done = document.execCommand("copy");
   }
   byId("copied").textContent = done ? "Copied." : "It is selected: copy it with your keyboard.";
-  setTimeout(() => (byId("copied").textContent = ""), 3000);
+  clearTimeout(said);
+  said = setTimeout(() => (byId("copied").textContent = ""), 3000);
 }
 
 async function saveWaveform({ state, model }) {

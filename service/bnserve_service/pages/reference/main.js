@@ -27,19 +27,21 @@ function operation(path, method, body) {
     [make("code", { text: status }), answer.description, mediaOf(answer.content)])));
   inside.append(make("h3", { text: "From the shell" }), make("pre", { tabindex: "0", text: curlOf(addressOf(""), path, method, body) }),
     ...trial(path, method, body));
-  return make("details", { class: "operation", id },
-    make("summary", {}, make("span", { class: "verb", text: method.toUpperCase() }), make("code", { text: path }),
-      make("a", { class: "anchor", href: `#${id}`, "aria-label": `Link to ${method.toUpperCase()} ${path}`, text: "#" }),
-      make("span", { class: "soft", text: first || body.summary || "" })),
-    inside);
+  return folded(id, `${method.toUpperCase()} ${path}`, inside,
+    make("span", { class: "verb", text: method.toUpperCase() }), make("code", { text: path }),
+    make("span", { class: "soft", text: first || body.summary || "" }));
+}
+
+/** What unfolds, with a link to it beside its head. */
+function folded(id, name, inside, ...head) {
+  return make("div", { class: "linked" }, make("details", { class: "operation", id }, make("summary", {}, ...head), inside),
+    make("a", { class: "anchor", href: `#${id}`, "aria-label": `Link to ${name}`, text: "#" }));
 }
 
 function schema(name, found) {
-  return make("details", { class: "operation", id: `schema-${name}` },
-    make("summary", {}, make("code", { text: name }),
-      make("a", { class: "anchor", href: `#schema-${name}`, "aria-label": `Link to ${name}`, text: "#" }),
-      make("span", { class: "soft", text: (found.description || "").split("\n")[0] })),
-    make("div", { class: "inside" }, make("pre", { tabindex: "0", text: JSON.stringify(found, null, 2) })));
+  const text = make("pre", { tabindex: "0", text: JSON.stringify(found, null, 2) });
+  return folded(`schema-${name}`, name, make("div", { class: "inside" }, text),
+    make("code", { text: name }), make("span", { class: "soft", text: (found.description || "").split("\n")[0] }));
 }
 
 /** Open what the address names, and go there. */

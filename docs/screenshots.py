@@ -1,0 +1,67 @@
+"""The pictures of the pages in docs/images, at two sizes and in two themes.
+
+    python docs/screenshots.py            # starts a server of the shipped models, and Chromium without a window
+
+Needs `playwright` (extra `test`) and Debian's `chromium`, which tests/run.sh installs.
+"""
+
+from __future__ import annotations
+
+import io
+import shutil
+import tempfile
+from pathlib import Path
+
+from PIL import Image
+from playwright.sync_api import Browser, sync_playwright
+
+from tests.integration.conftest import serving
+
+IMAGES = Path(__file__).parent / "images"
+SIZES = {"wide": (1280, 800), "phone": (390, 844)}
+COMPARED = "model=default@2.0.0&mass_ratio=1.6&inclination=1.1&b.model=default@2.0.0&b.mass_ratio=1.6&b.inclination=1.1&b.lambda_2=1100"
+PICTURES = {
+    ("explorer", "wide", "light"): "",
+    ("explorer", "wide", "dark"): f"#{COMPARED}&against=pinned",
+    ("explorer", "phone", "light"): "",
+    ("explorer", "phone", "dark"): "#lambda_1=9000",
+    ("models", "wide", "light"): "models",
+    ("models", "phone", "dark"): "models",
+    ("state", "wide", "dark"): "state",
+    ("state", "phone", "light"): "state",
+    ("docs", "wide", "light"): "docs#post-v1-models-name-waveforms",
+    ("docs", "phone", "dark"): "docs",
+}
+"""Page, size and theme: the address below that of the server."""
+COLOURS = 96
+"""Of one picture: fewer are seen in the lines, more are twice the bytes."""
+
+
+def take(browser: Browser, address: str, size: str, theme: str) -> Image.Image:
+    """What a visitor sees."""
+    width, height = SIZES[size]
+    context = browser.new_context(viewport={"width": width, "height": height}, color_scheme=theme)  # type: ignore[arg-type]
+    page = context.new_page()
+    page.goto(address)
+    page.wait_for_function("() => document.documentElement.dataset.drawn", timeout=60_000)
+    page.wait_for_timeout(15_000 if address.endswith("/state") else 500)  # the state has a past to show
+    taken = Image.open(io.BytesIO(page.screenshot()))
+    context.close()
+    return taken
+
+
+def main() -> None:
+    """Take them all."""
+    log = Path(tempfile.mkdtemp()) / "server.log"
+    with serving(log) as server, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
+        for (name, size, theme), path in PICTURES.items():
+            target = IMAGES / f"page-{name}-{size}-{theme}.png"
+            taken = take(browser, f"{server.address}/{path}", size, theme)
+            taken.convert("RGB").quantize(COLOURS).save(target, optimize=True)
+            print(f"{target.name}: {target.stat().st_size:,} bytes")
+        browser.close()
+
+
+if __name__ == "__main__":
+    main()
