@@ -3,6 +3,7 @@
 import hashlib
 import json
 import re
+import subprocess
 import urllib.request
 
 import pytest
@@ -159,7 +160,9 @@ def test_the_interface_has_anchors_curls_and_forms(visit):
     seen = visit("/docs#post-v1-models-name-waveforms")
     place = seen.page.locator("#post-v1-models-name-waveforms")
     assert place.get_attribute("open") is not None
-    assert place.locator("pre").first.inner_text().startswith("curl ")
+    curl = place.locator("pre").first.inner_text()
+    answer = subprocess.run(["bash", "-c", curl], capture_output=True, text=True, check=True, timeout=60).stdout
+    assert "h_plus" in json.loads(answer)
     assert seen.page.evaluate("[...document.querySelectorAll('.operation[id]')].length") > 30
     assert (
         seen.page.evaluate(

@@ -6,7 +6,10 @@ export const superscript = (power) => [...String(power)].map((digit) => SUPERSCR
 
 /** 1.23 × 10⁻²³, or 0.0123, to so many digits. */
 export function number(value, digits = 4) {
-  if (!Number.isFinite(value)) return "–";
+  return Number.isFinite(value) ? plain(value, digits).replace("-", "−") : "–";
+}
+
+function plain(value, digits) {
   if (value === 0) return "0";
   const size = Math.abs(value);
   if (size >= 1e-3 && size < 1e6) return String(+value.toPrecision(digits));

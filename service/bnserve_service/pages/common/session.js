@@ -23,7 +23,7 @@ export const token = {
 };
 
 /** The address of a path of this server, wherever a proxy has put it. */
-export const addressOf = (path = "") => new URL(path, document.baseURI).href.replace(/[#?].*$/, "");
+export const addressOf = (path = ".") => new URL(path, document.baseURI).href.replace(/[#?].*$/, "");
 
 /** Fetch a path. A `body` is posted as JSON; `binary` asks for MessagePack. Returns what was answered, and in which time. */
 export async function ask(path, { body, binary = false, text = false, method, signal } = {}) {

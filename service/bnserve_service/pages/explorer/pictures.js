@@ -103,7 +103,7 @@ function drawTrack(found, other) {
     const points = trackOf(one.frequencies, one.phases, least);
     return { name, colour, dash, x: points.map(([t]) => t), y: points.map(([, at]) => at), width: 2.4 };
   };
-  const series = [of(found, "(2, 2)", "a")];
+  const series = [of(found, found.precesses ? "(2, 2), aligned spins alone" : "(2, 2)", "a")];
   if (other?.spectrum) series.push(of(other, "B", "b", DASHED));
   plots.track.draw({
     x: { ...rangeOf([...series.flatMap((one) => one.x), least], { log: true, room: 0.01 }), reversed: true, label: "time until the merger (s)", unit: "s" },

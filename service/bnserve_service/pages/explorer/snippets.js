@@ -18,7 +18,7 @@ export function snippet(language, state, model) {
   return { python, bilby, curl, javascript }[language](question, model, state);
 }
 
-const server = () => addressOf("").replace(/\/$/, "");
+const server = () => addressOf().replace(/\/$/, "");
 const float = (value) => (Number.isInteger(value) ? `${value}.0` : String(value));
 const modesOf = (modes, open, close) => modes.map((mode) => open + mode.join(", ") + close).join(", ");
 const needsToken = (comment) => (token.value ? `${comment} the token is that of the environment variable BNSERVE_TOKEN\n` : "");

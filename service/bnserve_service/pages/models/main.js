@@ -26,7 +26,7 @@ function range({ name, unit, minimum, maximum }) {
   const ends = minimum === null && maximum === null ? "any" : maximum === null ? `from ${number(minimum)}`
     : `${number(minimum ?? -Infinity)} to ${number(maximum)}`;
   return make("tr", {}, make("td", {}, make("code", { text: name })), 
-    make("td", { class: "n", text: unit === "1" || ends === "any" ? ends : `${ends} ${unit}` }));
+    make("td", { class: "n", text: unit === "1" || ends === "any" ? ends : `${ends} ${unit.replace("Msun", "M☉")}` }));
 }
 
 function facts(model) {

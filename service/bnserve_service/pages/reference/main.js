@@ -25,7 +25,7 @@ function operation(path, method, body) {
     inside.append(marked(`Body: ${body.requestBody.description || ""} ${mediaOf(body.requestBody.content)}`));
   inside.append(table(["status", "meaning", "form"], Object.entries(body.responses).map(([status, answer]) =>
     [make("code", { text: status }), answer.description, mediaOf(answer.content)])));
-  inside.append(make("h3", { text: "From the shell" }), make("pre", { tabindex: "0", text: curlOf(addressOf(""), path, method, body) }),
+  inside.append(make("h3", { text: "From the shell" }), make("pre", { tabindex: "0", text: curlOf(addressOf(), path, method, body) }),
     ...trial(path, method, body));
   return folded(id, `${method.toUpperCase()} ${path}`, inside,
     make("span", { class: "verb", text: method.toUpperCase() }), make("code", { text: path }),

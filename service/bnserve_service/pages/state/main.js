@@ -43,7 +43,7 @@ function tiles(now, ready) {
   const all = quantile(0.5, now.latency), tail = quantile(0.99, now.latency);
   byId("tiles").replaceChildren(
     tile("Ready", ready ? "yes" : "no", ready ? "good" : "bad"), tile("Up for", seconds(up)),
-    tile("Requests per second", number(now.perSecond ?? NaN, 3)), tile("Waveforms per second", number(now.rowsPerSecond ?? NaN, 3)),
+    tile("Requests / s", number(now.perSecond ?? NaN, 3)), tile("Waveforms / s", number(now.rowsPerSecond ?? NaN, 3)),
     tile("Latency, median", seconds(all)), tile("Latency, 99 %", seconds(tail)),
     tile("Queue", `${number(100 * now.queue, 2)} %`), tile("Requests waiting", number(sum(samples, "bnserve_queue_jobs"))),
     tile("Processor", now.load === undefined ? "–" : `${number(100 * now.load, 2)} %`), tile("Memory", bytes(sum(samples, "process_resident_memory_bytes"))),
