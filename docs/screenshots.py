@@ -7,9 +7,13 @@ Needs `playwright` (extra `test`) and Debian's `chromium`, which tests/run.sh in
 
 from __future__ import annotations
 
+import contextlib
 import io
+import json
 import shutil
 import tempfile
+import threading
+import urllib.request
 from pathlib import Path
 
 from PIL import Image
@@ -19,7 +23,7 @@ from tests.integration.conftest import serving
 
 IMAGES = Path(__file__).parent / "images"
 SIZES = {"wide": (1280, 800), "phone": (390, 844)}
-SEEN = "mass_ratio=1.6&inclination=1.1".split("&")
+SEEN = ["mass_ratio=1.6", "inclination=1.1"]
 COMPARED = "&".join(
     ["model=default@2.0.0", *SEEN, "b.model=default@2.0.0", *("b." + one for one in SEEN), "b.lambda_2=1100"]
 )
@@ -55,10 +59,27 @@ def take(browser: Browser, address: str, size: str, theme: str) -> Image.Image:
     return taken
 
 
+def ask_now_and_then(address: str, ended: threading.Event) -> None:
+    """What the page of the state has to show: batches of waveforms, and a refusal among them."""
+    binary = {"mass_ratio": 1.2, "lambda_1": 400, "lambda_2": 600, "chi_1": 0, "chi_2": 0, "distance_mpc": 40}
+    count = 0
+    while not ended.wait(0.15):
+        count += 1
+        rows = 1 + count % 7
+        body = {"parameters": binary | {"inclination": [0.1] * rows, "total_mass": 2.8 if count % 20 else 500},
+                "grid": {"f_min": 20, "f_max": 1020, "delta_f": 1}}  # fmt: skip
+        headers = {"content-type": "application/json", "accept": "application/msgpack"}
+        request = urllib.request.Request(f"{address}/v1/models/default/waveforms", json.dumps(body).encode(), headers)
+        with contextlib.suppress(OSError):
+            urllib.request.urlopen(request, timeout=10).close()
+
+
 def main() -> None:
     """Take them all."""
-    log = Path(tempfile.mkdtemp()) / "server.log"
+    log, ended = Path(tempfile.mkdtemp()) / "server.log", threading.Event()
     with serving(log) as server, sync_playwright() as playwright:
+        asking = threading.Thread(target=ask_now_and_then, args=(server.address, ended))
+        asking.start()
         browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
         for (name, size, theme), path in PICTURES.items():
             target = IMAGES / f"page-{name}-{size}-{theme}.png"
@@ -66,6 +87,8 @@ def main() -> None:
             taken.convert("RGB").quantize(COLOURS, kmeans=2, dither=Image.Dither.NONE).save(target, optimize=True)
             print(f"{target.name}: {target.stat().st_size:,} bytes")
         browser.close()
+        ended.set()
+        asking.join()
 
 
 if __name__ == "__main__":

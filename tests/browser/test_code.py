@@ -63,11 +63,12 @@ def test_python_curl_and_javascript_have_exactly_its_numbers(visit, tmp_path, ad
     np.testing.assert_array_equal(found, expected)
 
 
-def test_bilby_has_its_numbers(visit, tmp_path):
+@pytest.mark.parametrize("name", ["chosen modes", "precession"])
+def test_bilby_has_its_numbers(visit, tmp_path, name):
     pytest.importorskip("bilby")
-    seen = visit(f"/#{BINARIES['chosen modes']}")
-    after = f'\nnp.save({str(tmp_path / "h.npy")!r}, [h["plus"][inside], h["cross"][inside]])\n'
+    seen = visit(f"/#{BINARIES[name].replace('time_shift', 'unshifted')}")  # bilby has the time apart
+    after = f'\nimport numpy\nnumpy.save({str(tmp_path / "h.npy")!r}, [h["plus"][inside], h["cross"][inside]])\n'
     run([sys.executable, "-W", "ignore", "-c", copied(seen, "bilby") + after])
     expected = saved(seen)
-    # It takes two masses for the total mass and the ratio: other last bits, times a phase of 10^4 rad.
+    # It takes two masses for the total mass and the ratio, and angles: other last bits, times a phase of 10^4 rad.
     np.testing.assert_allclose(np.load(tmp_path / "h.npy"), expected, atol=1e-9 * np.abs(expected).max())

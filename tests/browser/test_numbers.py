@@ -7,6 +7,7 @@ import subprocess
 import numpy as np
 import pytest
 
+from bnserve_client._lal_precession import components
 from bnserve_protocol import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
 from bnserve_surrogate.baseline import taylorf2_amplitude, taylorf2_phase
 from bnserve_surrogate.training.data.noise import advanced_ligo_design, einstein_telescope_d
@@ -69,6 +70,28 @@ def test_the_baseline_is_that_of_the_surrogate():
     size *= nu[:, None] * seconds**2 / (40.0 * MEGAPARSEC_SECONDS)
     np.testing.assert_allclose([one["phase"] for one in found], phase, rtol=1e-12)
     np.testing.assert_allclose([one["amplitude"] for one in found], size, rtol=1e-12)
+
+
+def test_angles_of_a_binary_that_precesses_are_those_that_the_client_reads():
+    rng = np.random.default_rng(2)
+    names = ("chi_1x", "chi_1y", "chi_1", "chi_2x", "chi_2y", "chi_2")
+    binaries = [
+        dict(zip(names, rng.uniform(-0.4, 0.4, 6) * np.array([1, 1, 1, *([i % 3 > 0] * 2), 1]), strict=True))
+        | {"inclination": rng.uniform(0.0, np.pi), "mass_ratio": rng.uniform(1.0, 3.0), "total_mass": 2.8}
+        | {"lambda_1": 0.0, "lambda_2": 0.0, "reference_phase": rng.uniform(0.0, 12.0)}
+        | {"reference_frequency": rng.uniform(10.0, 50.0)}
+        for i in range(30)
+    ]  # fmt: skip
+    script = f"""
+        const {{ anglesOf }} = await import("{PAGES / "physics" / "angles.js"}");
+        console.log(JSON.stringify(question.map(anglesOf)));
+    """
+    for binary, angles in zip(binaries, in_node(script, binaries), strict=True):
+        heavier = 2.8 * binary["mass_ratio"] / (1.0 + binary["mass_ratio"])
+        masses = {"mass_1": heavier, "mass_2": 2.8 - heavier}
+        found = components(masses | angles, binary["reference_frequency"], 0.5 * binary["reference_phase"])
+        for name, value in found.items():
+            assert value == pytest.approx(binary[name], abs=1e-13)
 
 
 def test_a_mismatch_is_the_least_over_time_and_phase():

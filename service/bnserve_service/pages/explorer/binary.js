@@ -12,10 +12,10 @@ export const PARAMETERS = {
   inclination: { symbol: "ι", words: "inclination", unit: "rad", ends: [0, Math.PI] },
   reference_phase: { symbol: "φ", words: "phase", unit: "rad", ends: [0, 4 * Math.PI] },
   time_shift: { symbol: "Δt", words: "earlier by", unit: "s", ends: [-0.01, 0.01] },
-  chi_1x: { symbol: "χ₁ₓ", words: "heavier star, along x", unit: "", ends: [-0.5, 0.5] },
-  chi_1y: { symbol: "χ₁ᵧ", words: "heavier star, along y", unit: "", ends: [-0.5, 0.5] },
-  chi_2x: { symbol: "χ₂ₓ", words: "lighter star, along x", unit: "", ends: [-0.5, 0.5] },
-  chi_2y: { symbol: "χ₂ᵧ", words: "lighter star, along y", unit: "", ends: [-0.5, 0.5] },
+  chi_1x: { symbol: "χ₁x", words: "heavier star, along x", unit: "", ends: [-0.5, 0.5] },
+  chi_1y: { symbol: "χ₁y", words: "heavier star, along y", unit: "", ends: [-0.5, 0.5] },
+  chi_2x: { symbol: "χ₂x", words: "lighter star, along x", unit: "", ends: [-0.5, 0.5] },
+  chi_2y: { symbol: "χ₂y", words: "lighter star, along y", unit: "", ends: [-0.5, 0.5] },
   reference_frequency: { symbol: "fᵣ", words: "reference frequency", unit: "Hz", ends: [5, 100], log: true },
 };
 

@@ -1,7 +1,8 @@
 // This waveform as code: Python, bilby, the shell and JavaScript, each with exactly its numbers.
 
 import { addressOf, token } from "../common/session.js";
-import { derived, precesses } from "./binary.js";
+import { anglesOf } from "../physics/angles.js";
+import { derived } from "./binary.js";
 import { pathOf, waveformOf } from "./questions.js";
 
 /** Hz: the frequencies that the code asks for. */
@@ -45,15 +46,12 @@ print(h.plus[0], h.cross[0])  # 1/Hz, at ${GRID.f_min} Hz
 }
 
 function bilby({ parameters, reference_frequency, modes }, model, { binary }) {
-  if (precesses(binary)) return "# bilby's source model of bnserve takes aligned spins: set those in the plane of the orbit to 0.\n";
   const { m1, m2 } = derived(binary);
   const chosen = modes ? `\n        "mode_array": [${modesOf(modes, "[", "]")}],` : "";
   const shift = parameters.time_shift ? `\n# bilby has the time apart: geocent_time is ${-parameters.time_shift} s from the merger's.` : "";
-  const spin = (chi) => [float(Math.abs(chi)), chi < 0 ? "np.pi" : "0.0"];
-  const [[a1, tilt1], [a2, tilt2]] = [spin(parameters.chi_1), spin(parameters.chi_2)];
+  const angles = Object.entries({ ...anglesOf(binary), phase: parameters.reference_phase / 2 });
   return `${needsToken("#")}import bilby
 import bnserve_client.bilby
-import numpy as np
 
 generator = bilby.gw.WaveformGenerator(
     duration=${1 / GRID.delta_f},
@@ -70,8 +68,8 @@ generator = bilby.gw.WaveformGenerator(
 binary = dict(
     mass_1=${m1}, mass_2=${m2},
     lambda_1=${float(parameters.lambda_1)}, lambda_2=${float(parameters.lambda_2)},
-    a_1=${a1}, tilt_1=${tilt1}, a_2=${a2}, tilt_2=${tilt2}, phi_12=0.0, phi_jl=0.0,
-    luminosity_distance=${float(parameters.distance_mpc)}, theta_jn=${float(parameters.inclination)}, phase=${float(parameters.reference_phase / 2)},
+${angles.map(([name, value]) => `    ${name}=${float(value)},`).join("\n")}
+    luminosity_distance=${float(parameters.distance_mpc)},
 )${shift}
 h = generator.frequency_domain_strain(binary)
 inside = generator.frequency_array >= ${float(GRID.f_min)}
