@@ -42,4 +42,5 @@ while true; do
     wait "$server" && status=0 || status=$?
     kill -0 "$server" 2>/dev/null || break # a signal ends the waiting, not the server
 done
+wait "$server" && status=0 || status=$? # both may have ended at the same moment
 exit "$status"

@@ -53,5 +53,6 @@ while true; do
     wait "$command" && status=0 || status=$?
     kill -0 "$command" 2>/dev/null || break # a signal ends the waiting, not the command
 done
+wait "$command" && status=0 || status=$? # both may have ended at the same moment
 kill -0 "$server" 2>/dev/null || { echo "with_server.sh: the server ended before the command:" >&2; cat "$folder/log" >&2; }
 exit "$status"

@@ -140,8 +140,9 @@ def test_where_all_processes_are_told_the_server_answers_until_the_program_has_e
     assert left_behind(tmp_path) == []
 
 
-def test_a_server_for_others_says_where_it_is_and_lets_in_who_has_the_token(environment, tmp_path):
-    server = subprocess.Popen([BATCH / "serve.sh"], env=environment, stdout=subprocess.PIPE, text=True)
+@pytest.mark.parametrize("options", [(), ("--workers", "2")], ids=["one process", "workers"])
+def test_a_server_for_others_says_where_it_is_and_lets_in_who_has_the_token(environment, tmp_path, options):
+    server = subprocess.Popen([BATCH / "serve.sh", *options], env=environment, stdout=subprocess.PIPE, text=True)
     place, token = tmp_path / ".bnserve" / "address", tmp_path / ".bnserve" / "token"
     with server:
         until(place.exists, "the address is written")
@@ -198,7 +199,8 @@ def test_slurm_runs_a_program_with_its_server_and_a_server_for_others(slurm, tmp
     assert slurm.state(job) == "COMPLETED"
     assert left_behind(tmp_path) == []
 
-    job = slurm.submit(*small, str(BATCH / "serve.sbatch"))
+    several = f"--cpus-per-task={min(2, os.cpu_count() or 1)}"  # of which each is a worker
+    job = slurm.submit(*small, several, str(BATCH / "serve.sbatch"))
     place = tmp_path / ".bnserve" / "address"
     until(place.exists, "the server says where it is")
     address = re.sub(r"//[^:]*:", "//127.0.0.1:", place.read_text().strip())

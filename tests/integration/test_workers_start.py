@@ -3,9 +3,11 @@
 import http.client
 import os
 import re
+import signal
 from contextlib import suppress
 
 from tests.integration.conftest import COMMAND, bnserve
+from tests.integration.workers import children
 from tests.running_server import running
 from tests.service.asking import ask
 
@@ -28,6 +30,19 @@ def test_once_somebody_has_the_models_nobody_says_that_they_are_being_loaded(tmp
     served = said.index(200)
     assert set(said[:served]) <= {"model-loading", "draining"}
     assert set(said[served:]) == {200}
+
+
+def test_a_child_that_a_shell_left_it_does_not_hold_up_its_end(tmp_path):
+    """As `bnserve serve --workers N > >(tee log)` does: what reads the log ends after whoever writes it."""
+    log = tmp_path / "log"
+    command = ["bash", "-c", 'sleep 600 & exec "$@"', "bash", *COMMAND, "serve", "--port", "0", "--workers", "2"]
+    with running(
+        command, log, lambda: "bnserve is ready" in log.read_text(), env=os.environ | {"PYTHONUNBUFFERED": "1"}
+    ) as server:
+        [stranger] = [pid for pid, name in children(server.pid).items() if name == "sleep"]
+        server.terminate()
+        assert server.wait(60) == 0
+        os.kill(stranger, signal.SIGKILL)
 
 
 def test_without_any_model_the_reason_is_said(tmp_path):

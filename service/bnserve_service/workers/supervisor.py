@@ -206,13 +206,17 @@ class Supervisor:
             self.failure = reason
 
     def _end_all(self) -> None:
+        # Not all children: a shell may leave some of its own to the program that takes its place, such as what reads
+        # what is printed here, and ends no earlier than this process.
+        ours = [worker.pid for worker in self._pool if worker.pid is not None]
         if self._fork_server is not None:
             self._fork_server.kill()
+            ours.append(self._fork_server.pid)
         for worker in self._pool:
             self._pool.kill(worker, "stopping", time.monotonic())
-        with contextlib.suppress(ChildProcessError):
-            while True:
-                os.waitpid(-1, 0)
+        for pid in ours:
+            with contextlib.suppress(ChildProcessError):
+                os.waitpid(pid, 0)
 
 
 def room_needed(settings: dict[str, Any]) -> int:
