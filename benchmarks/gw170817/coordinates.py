@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from scipy.special import ndtr, ndtri
 
 from benchmarks.gw170817 import priors
-from benchmarks.gw170817.moving import Coordinates
+from bnserve_posterior.sampling import Coordinates
 
 Floats = NDArray[np.float64]
 

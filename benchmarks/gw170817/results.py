@@ -13,8 +13,9 @@ from benchmarks.generator_model import GeneratorModel
 from benchmarks.gw170817 import analyses, checks, setting
 from benchmarks.gw170817.marginals import Shown, divergences, physical
 from benchmarks.gw170817.priors import UnitCube
-from benchmarks.gw170817.sampling import Posterior, equal_weights
+from benchmarks.gw170817.sampling import Sampled
 from bnserve_inference import likelihood
+from bnserve_posterior.sampling import Posterior
 from bnserve_protocol import LIKELIHOOD_NAMES, LikelihoodBatch, WaveformModel
 from bnserve_surrogate.training.data.generators import TEOBResumSPA
 
@@ -23,20 +24,25 @@ Floats = NDArray[np.float64]
 OTHER = {"roq": "relative_binning", "relative_binning": "roq"}
 
 
-def summary(posterior: Posterior) -> dict[str, Any]:
-    """The sampler's own figures."""
-    cost = posterior.cost
+def summary(sampled: Sampled, cube: UnitCube) -> dict[str, Any]:
+    """The sampler's own figures, and how much of the posterior is in its tails."""
+    posterior, cost = sampled
+    batch = cube(posterior.points)
     return {
         "posterior_minutes": round(cost.wall / 60.0, 3),
         "likelihood_seconds": round(cost.likelihood, 2),
         "sampler_processor_seconds": round(cost.processor, 1),
-        "likelihood_calls": cost.calls,
+        "likelihood_calls": posterior.likelihoods,
         "likelihood_requests": cost.requests,
         "log_evidence": round(posterior.log_evidence, 3),
         "log_evidence_error": round(posterior.log_evidence_error, 3),
+        "log_evidences": [[round(number, 3) for number in each] for each in posterior.log_evidences],
+        "k_hat": round(posterior.k_hat, 2),
         "effective_samples": round(posterior.effective),
-        "samples": len(posterior.weights),
+        "draws": len(posterior.weights),
         "largest_log_likelihood": round(float(posterior.log_likelihood.max()), 3),
+        "part_with_abs_chi_1_above_0.2": round(float(posterior.weights[np.abs(batch["chi_1"]) > 0.2].sum()), 4),
+        "part_with_mass_ratio_above_2": round(float(posterior.weights[batch["mass_ratio"] > 2.0].sum()), 4),
     }
 
 
@@ -59,7 +65,7 @@ def check(
     Figures, and what the corner plot shows, by likelihood.
     """
     first, posterior = options.kind, posteriors[options.kind]
-    chosen = equal_weights(posterior, options.checks)
+    chosen = posterior.draw(options.checks)
     batch, sampled = cube(posterior.points[chosen]), posterior.log_likelihood[chosen]
     found: dict[str, Any] = {"checks": len(batch)}
     arrays: dict[str, Floats] = {"values": _with_distances(batch, event, local, model, options), first: sampled}

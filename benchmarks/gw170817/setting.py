@@ -46,13 +46,6 @@ class DataMissing(BnserveError):
     title = "Data not found"
 
 
-class OtherRun(BnserveError):
-    """A folder holds what a run with other settings left."""
-
-    code = "other-run"
-    title = "Folder in use"
-
-
 @dataclass(frozen=True)
 class Event:
     """Data of the network, and the signal in it if somebody put it there."""

@@ -125,7 +125,9 @@ def posterior(work: Path) -> dict[str, Any]:
     command = [sys.executable, "-m", "benchmarks.gw170817", "--sample-only", "--work", work]
     done = subprocess.run([str(part) for part in command], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
     found = json.loads(done.stdout.splitlines()[-1])
-    return {name: found[name] for name in ("posterior_minutes", "likelihood_calls", "log_evidence", "samples")}
+    return {
+        name: found[name] for name in ("posterior_minutes", "likelihood_calls", "log_evidence", "effective_samples")
+    }
 
 
 def main() -> None:

@@ -57,12 +57,19 @@ def p_values(results: list[dict[str, Any]]) -> dict[str, float]:
     }
 
 
+def combined(values: dict[str, float]) -> float:
+    """One p-value of all: of their product, as if parameters were independent (Fisher)."""
+    from scipy.stats import combine_pvalues
+
+    return float(combine_pvalues(list(values.values())).pvalue)
+
+
 def main() -> None:
     """Run what is missing, then judge."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--work", type=Path, default=Path("runs/pp"), help="finished injections")
     parser.add_argument("--injections", type=int, default=100)
-    parser.add_argument("--particles", type=int, default=trial.SETTINGS.particles, help="of the sampler")
+    parser.add_argument("--particles", type=int, default=trial.SETTINGS.particles, help="of the sampler's populations")
     parser.add_argument(
         "--part", default="0/1", metavar="K/N", help="only every Nth, from K: N processes share the work"
     )
@@ -97,11 +104,14 @@ def main() -> None:
                 "injections": len(results),
                 "wanted": options.injections,
                 "p_values": {name: round(value, 4) for name, value in values.items()},
+                "combined_p": round(combined(values), 4),
                 "smallest_p": round(min(values.values()), 4),
+                "smallest_p_wanted": round(0.01 / len(values), 5),
                 "median_snr": statistics.median(result["snr"] for result in results),
                 "likelihood_calls": int(np.sum([result["calls"] for result in results])),
                 "seconds": round(sum(result["seconds"] for result in results), 1),
                 "smallest_effective_sample_size": min(result["effective"] for result in results),
+                "largest_k_hat": max(result["k_hat"] for result in results),
                 "largest_log_evidence_error": max(result["log_evidence_error"] for result in results),
             }
         )

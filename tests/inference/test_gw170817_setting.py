@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from benchmarks.gw170817 import priors
+from benchmarks.gw170817 import coordinates, priors
 from benchmarks.gw170817.setting import TRIGGER
 from benchmarks.pp import trial
 from bnserve_inference import Detector, sidereal_time, time_delay
@@ -49,3 +49,19 @@ def test_a_seed_is_a_binary():
     assert first[1] == again[1] != other[1]
     np.testing.assert_array_equal(first[0], again[0])
     assert trial.DISTANCES[0] <= first[1].distance_mpc <= trial.DISTANCES[1]
+
+
+def test_coordinates_of_a_binary_can_be_undone_and_know_their_volume():
+    u = np.random.default_rng(5).uniform(0.05, 0.95, (300, 9))
+    y, volumes = coordinates.from_cube(u)
+    back, again = coordinates.to_cube(y)
+    np.testing.assert_allclose(back, u, atol=1e-5)
+    np.testing.assert_allclose(again, volumes, rtol=0.0, atol=1e-6)
+    step = 1e-5
+    for row in range(5):
+        moved = np.repeat(u[row][None], 18, axis=0)
+        moved[np.arange(9), np.arange(9)] += step
+        moved[np.arange(9, 18), np.arange(9)] -= step
+        there = coordinates.from_cube(moved)[0]
+        _, size = np.linalg.slogdet((there[:9] - there[9:]) / (2.0 * step))
+        assert abs(size + volumes[row]) < 0.05  # aligned_spins interpolates a table, which has steps in its slope

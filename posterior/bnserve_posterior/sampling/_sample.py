@@ -23,7 +23,8 @@ _STARTS = 2
 _ATTEMPTS = 4
 """So often proposals are fitted at most; after the first time, to the draws of the time before."""
 _ROUND, _JUDGED = 4, 4
-"""Draws of a round from each proposal for each particle; after so many rounds weights are judged."""
+"""Draws of a round from each proposal for each particle; after so many rounds weights are judged, after twice as many
+where proposals were fitted anew: there is more to fit to the next time."""
 _MOST_DRAWS = 100
 """For each effective sample that is wanted: proposals that need more are fitted anew."""
 _FEWEST_PARTICLES = 100
@@ -128,7 +129,7 @@ class _Run:
             rounds = 0 if state.draws is None else int(state.draws.counts[0]) // counts[0]
             if state.draws is not None:
                 found = _importance.weighted(state.draws)
-                if rounds >= _JUDGED and found.k_hat > BELIEVED:
+                if rounds >= _JUDGED << state.attempt and found.k_hat > BELIEVED:
                     return found
                 if found.effective >= self.settings.effective or rounds * sum(counts) >= self.most_draws():
                     return found
@@ -141,7 +142,8 @@ class _Run:
 
     def most_draws(self) -> int:
         """How many draws are worth their likelihoods."""
-        return max(_MOST_DRAWS * self.settings.effective, _JUDGED * _ROUND * _STARTS * self.settings.particles)
+        judged = (_JUDGED << self.state.attempt) * _ROUND * _STARTS * self.settings.particles
+        return max(_MOST_DRAWS * self.settings.effective, judged)
 
     def objection(self, found: Weighted) -> str | None:
         """What is wrong with the draws, or None."""
