@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from bnserve_posterior.sampling import (
+    PLAIN,
     CheckpointMismatch,
+    Coordinates,
     LikelihoodEmpty,
     LikelihoodNotFinite,
     PosteriorUnreliable,
@@ -182,3 +184,19 @@ def test_a_posterior_that_no_mixture_follows_is_refused():
 def test_settings_that_mean_nothing_are_refused(problem, settings, text):
     with pytest.raises(ValueError, match=text):
         sample(problem, settings)
+
+
+def half(y):
+    points, volumes = PLAIN.to_cube(y)
+    return 0.5 * points, volumes
+
+
+def other_volumes(y):
+    points, volumes = PLAIN.to_cube(y)
+    return points, volumes + np.log(2.0)
+
+
+@pytest.mark.parametrize("to_cube", [half, other_volumes])
+def test_coordinates_that_are_not_undone_are_refused(to_cube):
+    with pytest.raises(ValueError, match="must be undone by to_cube, with the same volumes"):
+        sample(Problem(normal, 4, Coordinates(PLAIN.from_cube, to_cube)), SETTINGS)

@@ -25,10 +25,12 @@ _ATTEMPTS = 4
 _ROUND, _JUDGED = 4, 4
 """Draws of a round from each proposal for each particle; after so many rounds weights are judged, after twice as many
 where proposals were fitted anew: there is more to fit to the next time."""
-_MOST_DRAWS = 100
+_MOST_DRAWS = 50
 """For each effective sample that is wanted: proposals that need more are fitted anew."""
 _FEWEST_PARTICLES = 100
 """With fewer no mixture can be fitted in a few dimensions."""
+_UNDONE = 1e-3
+"""Coordinates may interpolate in tables."""
 _SIGMAS = 3.0
 """Two evidences may differ by so many combined errors."""
 
@@ -52,7 +54,7 @@ def sample(
     Raises
     ------
     ValueError
-        A number of the problem or of the settings means nothing.
+        A number of the problem or of the settings means nothing, or coordinates cannot be undone.
     LikelihoodNotFinite
         A likelihood is NaN or +inf.
     LikelihoodEmpty
@@ -90,6 +92,14 @@ def _check(problem: Problem, settings: Settings) -> None:
     for reason, is_so in wrong.items():
         if is_so:
             raise ValueError(f"{reason}; these are {problem.dimensions} dimensions, {problem.periodic}, {settings}.")
+    points = _checkpoint.probes(problem.dimensions)
+    y, volumes = problem.coordinates.from_cube(points)
+    back, again = problem.coordinates.to_cube(y)
+    if not (np.allclose(back, points, atol=_UNDONE) and np.allclose(again, volumes, atol=_UNDONE)):  # NaN is not close
+        raise ValueError(
+            f"Coordinates must be undone by to_cube, with the same volumes: {points[0]} became {y[0]} with "
+            f"{volumes[0]}, and that {back[0]} with {again[0]}."
+        )
 
 
 class _Run:
