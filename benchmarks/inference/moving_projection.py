@@ -82,7 +82,7 @@ def main() -> None:
         spectrum = np.fft.rfft(series)[round(LOW * duration) : round(HIGH * duration)] / RATE
         theirs = spectrum * np.exp(-2j * np.pi * f * start)
         for response in ("moving", "static"):
-            ours = detector_strain(Detector.named(name), f, model, TRUTH, trigger_time=TRIGGER, response=response)  # type: ignore[arg-type]
+            ours = detector_strain(Detector.named(name), f, model, TRUTH, trigger_time=TRIGGER, response=response)
             result[f"{name} {response}"] = difference(ours, theirs, f, asd[: len(f)])
     print(json.dumps(result, indent=2))
 
