@@ -20,6 +20,7 @@ from bnserve_protocol import (
     AmplitudePhase,
     Analysis,
     BatchLike,
+    Derivatives,
     EvaluationOptions,
     Factored,
     GridLike,
@@ -112,6 +113,12 @@ class AsyncModel(ConnectedModel):
     ) -> Modes:
         """N waveforms by their modes; see :meth:`.Model.predict_modes`."""
         return await self._connections.run(self._remote.predict_modes(frequencies, batch, options, dtype))
+
+    async def predict_derivatives(
+        self, frequencies: GridLike, batch: BatchLike, *, options: EvaluationOptions = DEFAULT_OPTIONS
+    ) -> Derivatives:
+        """N waveforms by their modes with derivatives; see :meth:`.Model.predict_derivatives`."""
+        return await self._connections.run(self._remote.predict_derivatives(frequencies, batch, options))
 
     async def predict_factored(
         self,

@@ -11,14 +11,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_client._evaluation import Arrays
-from bnserve_protocol import AnswerCorrupted, DtypeName, Factored, Mode
-from bnserve_protocol.wire import OutputName, mode_names, result_memory
+from bnserve_protocol import DERIVATIVE_NAMES, AnswerCorrupted, DtypeName, Factored, Mode
+from bnserve_protocol.wire import OutputName, derivative_names, mode_names, result_memory
 
 _SAMPLES: dict[OutputName, tuple[str, ...]] = {
     "polarizations": ("h_plus", "h_cross"),
     "factored": ("h",),
     "amplitude_phase": ("amplitude", "phase"),
 }
+BY_MODES: tuple[OutputName, ...] = ("modes", "derivatives")
+"""Outputs whose arrays are those of modes."""
 _FACTORS: dict[str, np.dtype[Any]] = {"plus": np.dtype("<f8"), "cross": np.dtype("<c16")}
 _OF_A_ROW: dict[str, np.dtype[Any]] = {"status": np.dtype("|u1"), "estimated_mismatch": np.dtype("<f8")}
 """Arrays of an answer beside its samples; the second only from models that estimate their error."""
@@ -30,12 +32,17 @@ def check_arrays(
 ) -> None:
     """Refuse an answer whose arrays are not those that were asked for: AnswerCorrupted."""
     samples = np.dtype(np.float64 if output == "amplitude_phase" else dtype)
-    wide: dict[str, np.dtype[Any]] = dict.fromkeys(_SAMPLES[output], samples) if output != "modes" else {}
+    wide: dict[str, np.dtype[Any]] = dict.fromkeys(_SAMPLES.get(output, ()), samples)
     narrow = {**_OF_A_ROW, **(_FACTORS if output == "factored" else {})}
-    if output == "modes":
+    if output in BY_MODES:
         for mode in modes:
             h, plus, cross = mode_names(mode)
             wide[h], narrow[plus], narrow[cross] = samples, *_FACTORS.values()
+    if output == "derivatives":
+        for mode in modes:
+            changes, slopes = derivative_names(mode)
+            wide |= dict.fromkeys(changes, samples)
+            narrow |= dict(zip(slopes, _FACTORS.values(), strict=True))
     for wanted, shape in ((wide, (rows, frequencies)), (narrow, (rows,))):
         for name, kind in wanted.items():
             array = arrays.get(name)
@@ -49,6 +56,8 @@ def kept(arrays: Arrays, result: OutputName, modes: tuple[Mode, ...]) -> Arrays:
     """The arrays of a result, of any number of rows, from those of an answer, which are read-only as they arrive."""
     if result == "polarizations":
         return _multiplied_out(arrays)
+    if result == "derivatives":
+        return {**_by_modes(arrays, modes), **_derivatives(arrays, modes)}
     return _by_modes(arrays, modes) if result == "modes" else _own(arrays)
 
 
@@ -88,3 +97,16 @@ def _by_modes(arrays: Arrays, modes: tuple[Mode, ...]) -> Arrays:
     for place, (of_h, of_plus, of_cross) in enumerate(names):
         h[:, place], plus[:, place], cross[:, place] = arrays[of_h], arrays[of_plus], arrays[of_cross]
     return found | {"h": h, "plus": plus, "cross": cross}
+
+
+def _derivatives(arrays: Arrays, modes: tuple[Mode, ...]) -> Arrays:
+    """``derivatives`` ``(N, L, 6, M)``, ``plus_slope`` and ``cross_slope`` ``(N, L)``."""
+    names = [derivative_names(mode) for mode in modes]
+    rows, frequencies = arrays[names[0][0][0]].shape
+    found = result_memory.empty((rows, len(modes), len(DERIVATIVE_NAMES), frequencies), "complex128")
+    plus, cross = (np.empty((rows, len(modes)), kind) for kind in _FACTORS.values())
+    for place, (changes, slopes) in enumerate(names):
+        for which, name in enumerate(changes):
+            found[:, place, which] = arrays[name]
+        plus[:, place], cross[:, place] = arrays[slopes[0]], arrays[slopes[1]]
+    return {"derivatives": found, "plus_slope": plus, "cross_slope": cross}

@@ -20,6 +20,7 @@ from bnserve_protocol import (
     AmplitudePhase,
     Analysis,
     BatchLike,
+    Derivatives,
     EvaluationOptions,
     Factored,
     GridLike,
@@ -188,6 +189,14 @@ class Model(ConnectedModel):
     ) -> Modes:
         """N waveforms by their modes, ``h`` complex ``(N, L, M)`` in 1/Hz. ``dtype`` and errors as :meth:`predict`."""
         return self._connections.run(self._remote.predict_modes(frequencies, batch, options, dtype))
+
+    def predict_derivatives(
+        self, frequencies: GridLike, batch: BatchLike, *, options: EvaluationOptions = DEFAULT_OPTIONS
+    ) -> Derivatives:
+        """N waveforms by their modes, with exact derivatives of each with respect to mass ratio, tides, spins and total
+        mass, complex ``(N, L, 6, M)``; see :class:`bnserve_protocol.Derivatives`. Errors as :meth:`predict`, and
+        InvalidRequest of a model that has none."""
+        return self._connections.run(self._remote.predict_derivatives(frequencies, batch, options))
 
     def predict_factored(
         self,

@@ -11,15 +11,17 @@ from numpy.typing import DTypeLike, NDArray
 from bnserve_client._addresses import Address
 from bnserve_client._evaluation import Arrays, Evaluator, Question, Upload, check_model
 from bnserve_client._grids import IN_FULL_ONCE, ExplicitGrid, GridMemory, ends_of
-from bnserve_client._kept_arrays import check_arrays, kept
+from bnserve_client._kept_arrays import BY_MODES, check_arrays, kept
 from bnserve_client._messages import Conversation
 from bnserve_client._pinned import Pinned
 from bnserve_client._session import Session
 from bnserve_client._settings import Settings
 from bnserve_client._transport_factory import TransportFactory
 from bnserve_protocol import (
+    DERIVATIVE_NAMES,
     AmplitudePhase,
     BatchLike,
+    Derivatives,
     DtypeName,
     EvaluationOptions,
     Factored,
@@ -38,6 +40,7 @@ from bnserve_protocol import (
     TimeSeries,
     TooLarge,
     UniformGrid,
+    as_frequencies,
     check_dtype,
     check_options,
     chosen_modes,
@@ -88,7 +91,7 @@ class Waveforms(Question):
 
     def rows_per_request(self, limits: Limits) -> int:
         """As :class:`Question`; chunks are small enough to be under way at the same time."""
-        samples = len(self.grid) * (len(self.modes) if self.output == "modes" else 1)
+        samples = len(self.grid) * (_arrays(self) if self.output in BY_MODES else 1)
         return max(1, min(self.chunk_samples // samples, limits.rows_per_request(samples)))
 
     def encode(self, start: int, stop: int, address: Address | None) -> bytes:
@@ -105,8 +108,9 @@ class Waveforms(Question):
 
     def max_bytes(self, rows: int) -> int:
         """As :class:`Question`."""
-        count = max(2, len(self.modes)) if self.output == "modes" else 2
-        return rows * count * (len(self.grid) * _BYTES_PER_NUMBER + _BYTES_PER_ROW) + _BYTES_BESIDE
+        count = max(2, _arrays(self)) if self.output in BY_MODES else 2
+        beside = _BYTES_BESIDE * (2 if self.output == "derivatives" else 1)  # 84 arrays of seven modes have names
+        return rows * count * (len(self.grid) * _BYTES_PER_NUMBER + _BYTES_PER_ROW) + beside
 
     def decode(self, body: bytes | memoryview, rows: int, where: str, model: ModelIdentity) -> Arrays:
         """As :class:`Question`."""
@@ -134,6 +138,11 @@ class Waveforms(Question):
     def smaller_may_pass(self, limits: Limits) -> bool:
         """As :class:`Question`."""
         return len(self.grid) <= limits.max_frequencies
+
+
+def _arrays(question: Waveforms) -> int:
+    """Of samples: one of each mode, and with derivatives six more."""
+    return len(question.modes) * (1 + len(DERIVATIVE_NAMES) if question.output == "derivatives" else 1)
 
 
 class RemoteModel:
@@ -172,6 +181,18 @@ class RemoteModel:
         question = self._question(frequencies, batch, "modes", options, dtype)
         arrays = yield from self.evaluator.evaluate(question)
         return Modes(modes=question.modes, **arrays)
+
+    def predict_derivatives(
+        self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions
+    ) -> Conversation[Derivatives]:
+        """N waveforms by their modes, with the derivatives of these."""
+        question = self._question(frequencies, batch, "derivatives", options, "complex128")
+        arrays = yield from self.evaluator.evaluate(question)
+        grid = question.grid
+        f = grid.frequencies if isinstance(grid, ExplicitGrid) else as_frequencies(grid)
+        return Derivatives(
+            modes=question.modes, frequencies=f, distances=question.batch["distance_mpc"].copy(), **arrays
+        )
 
     def predict_factored(
         self, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions, dtype: DTypeLike

@@ -31,8 +31,8 @@ from bnserve_protocol._analysis_settings import (
 from bnserve_protocol._batches import BatchLike, ParameterBatch
 from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
 from bnserve_protocol._conversion import convert
-from bnserve_protocol._derivative_coordinates import COORDINATES, coordinate_jacobian
-from bnserve_protocol._derivatives import DERIVATIVE_NAMES, Derivatives
+from bnserve_protocol._derivative_coordinates import COORDINATES, DERIVATIVE_NAMES, coordinate_jacobian
+from bnserve_protocol._derivatives import Derivatives
 from bnserve_protocol._detector_frame import DetectorFrame
 from bnserve_protocol._errors import (
     ERRORS_BY_CODE,

@@ -14,6 +14,9 @@ from bnserve_protocol._parameters import PARAMETER_NAMES
 
 Floats = NDArray[np.float64]
 
+DERIVATIVE_NAMES = ("mass_ratio", "lambda_1", "lambda_2", "chi_1", "chi_2", "total_mass")
+"""With respect to which a model differentiates its modes, in the order of its answer; all else is analytic."""
+
 _STEP = 1e-30
 _SINGULAR = 1e-13
 """Of a row and column scaled to one: coordinates that do not tell binaries apart there."""

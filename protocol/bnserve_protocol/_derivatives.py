@@ -8,15 +8,13 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_protocol._derivative_coordinates import DERIVATIVE_NAMES
 from bnserve_protocol._modes import Mode
 from bnserve_protocol._parameters import PARAMETER_NAMES
 from bnserve_protocol._results import ComplexArray, LikeTuple
 from bnserve_protocol.wire._arrays import result_memory
 
 Floats = NDArray[np.float64]
-
-DERIVATIVE_NAMES = ("mass_ratio", "lambda_1", "lambda_2", "chi_1", "chi_2", "total_mass")
-"""With respect to which a model differentiates its modes, in the order of its answer; all else is analytic."""
 
 _TOGETHER = 8192
 """Complex numbers of a mode that are multiplied together, so that what is between stays near the processor."""
@@ -26,12 +24,12 @@ _TOGETHER = 8192
 class Derivatives(LikeTuple[NDArray[Any]]):
     """Modes of a batch and their derivatives; unpacks as ``h, derivatives = ...``.
 
-    ``h``, complex ``(N, L, M)`` in 1/Hz, with ``modes``, ``plus``, ``cross`` and ``status`` as in :class:`.Modes`.
-    ``derivatives``, complex ``(N, L, 6, M)``, is that of h with respect to :data:`DERIVATIVE_NAMES`, in 1/Hz over the
-    unit of each; ``derivatives / h[:, :, None]`` has that of ln A as its real part and that of the phase as its
-    imaginary part, where h is not zero. ``plus_slope`` and ``cross_slope``, ``(N, L)``, are the derivatives of both
-    factors with respect to the inclination. ``frequencies`` in Hz, ``(M,)``, and ``distances`` in Mpc, ``(N,)``, are
-    those of the question.
+    ``h``, complex ``(N, L, M)`` in 1/Hz, with ``modes``, ``plus``, ``cross``, ``status`` and
+    ``estimated_mismatch`` as in :class:`.Modes`. ``derivatives``, complex ``(N, L, 6, M)``, is that of h with respect
+    to :data:`DERIVATIVE_NAMES`, in 1/Hz over the unit of each; ``derivatives / h[:, :, None]`` has that of ln A as its
+    real part and that of the phase as its imaginary part, where h is not zero. ``plus_slope`` and ``cross_slope``,
+    ``(N, L)``, are the derivatives of both factors with respect to the inclination. ``frequencies`` in Hz, ``(M,)``,
+    and ``distances`` in Mpc, ``(N,)``, are those of the question.
     """
 
     modes: tuple[Mode, ...]
@@ -44,6 +42,7 @@ class Derivatives(LikeTuple[NDArray[Any]]):
     status: NDArray[np.uint8]
     frequencies: Floats
     distances: Floats
+    estimated_mismatch: Floats | None = None
 
     parts: ClassVar[tuple[str, ...]] = ("h", "derivatives")
 

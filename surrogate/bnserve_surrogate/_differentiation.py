@@ -55,6 +55,7 @@ def mode_derivatives(
         status=answer.status,
         frequencies=evaluator.frequencies(frequencies),
         distances=coerced["distance_mpc"],
+        estimated_mismatch=answer.estimates,
     )
 
 

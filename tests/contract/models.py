@@ -9,6 +9,7 @@ METHODS = (
     "predict",
     "predict_batch",
     "predict_modes",
+    "predict_derivatives",
     "predict_factored",
     "predict_amplitude_phase",
     "time_until_merger",

@@ -40,6 +40,7 @@ from bnserve_protocol.wire._likelihoods import (
 from bnserve_protocol.wire._waveform_answers import (
     WaveformAnswer,
     decode_answer,
+    derivative_names,
     encode_answer,
     encode_answer_json,
     mode_names,
@@ -50,8 +51,8 @@ __all__ = [
     "JSON", "MSGPACK", "MSGPACK_BYTES", "PROBLEM_JSON", "WANTED_DIGEST", "DigestName", "Grid", "GridDigest",
     "LikelihoodAnswer", "LikelihoodAnswerBody", "LikelihoodBody", "LikelihoodOutput", "LikelihoodRequest", "OutputName",
     "Problem", "ResultMemory", "WaveformAnswer", "WaveformBody", "WaveformRequest", "address_of", "array_keys",
-    "content_digest",
-    "decode_answer", "decode_array", "decode_likelihood_answer", "decode_likelihood_request", "decode_request",
+    "content_digest", "decode_answer", "decode_array", "decode_likelihood_answer", "decode_likelihood_request",
+    "decode_request", "derivative_names",
     "encode_answer", "encode_answer_json", "encode_array", "encode_likelihood_answer", "encode_likelihood_answer_json",
     "encode_likelihood_request", "encode_request", "mode_names", "refuse_repeated_keys", "request_digest",
     "result_memory", "unique_keys",

@@ -10,7 +10,7 @@ from bnserve_protocol._model import ModelIdentity
 from bnserve_protocol._modes import MOST_MODES, Mode
 from bnserve_protocol._options import DtypeName
 
-OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes"]
+OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes", "derivatives"]
 LikelihoodOutput: TypeAlias = Literal["log_likelihood", "products", "draws"]
 MOST_NAMES = 64
 """Parameters, or detectors: more than a request has, so that the answer can still say which of them is unknown; still
@@ -41,7 +41,9 @@ class WaveformBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=Tru
         Of the columns of 'parameters', where it is an array.
     output
         'modes': h_22, h_33, ... are the modes at the given distance; h_plus is the sum of plus_lm * h_lm, h_cross that
-        of cross_lm * h_lm. 'factored' (h_plus = plus * h and h_cross = cross * h) and 'amplitude_phase' are of one
+        of cross_lm * h_lm. 'derivatives', complex128 alone: these, and h_22_mass_ratio, h_22_lambda_1, ... (lambda_2,
+        chi_1, chi_2, total_mass), what each changes by, with plus_slope_22 and cross_slope_22, what its factors change
+        by with the inclination. 'factored' (h_plus = plus * h and h_cross = cross * h) and 'amplitude_phase' are of one
         mode, which the field 'modes' has to name where the model has several.
     dtype
         complex64 has a relative error of 2.5e-8, and |h| is so small (1e-24 1/Hz) that its square underflows in

@@ -10,6 +10,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_protocol._derivative_coordinates import DERIVATIVE_NAMES
 from bnserve_protocol._errors import UndecodableBody
 from bnserve_protocol._model import ModelIdentity
 from bnserve_protocol._modes import Mode
@@ -26,16 +27,27 @@ ARRAY_NAMES = frozenset(
     {"h_plus", "h_cross", "h", "plus", "cross", "amplitude", "phase", "status", "estimated_mismatch"}
 )
 """The arrays an answer may hold: ``polarizations`` h_plus, h_cross ``[N, M]``; ``factored`` h ``[N, M]`` with plus and
-cross ``[N]``; ``amplitude_phase`` amplitude, phase ``[N, M]``; ``modes`` those of :func:`mode_names`; always status
-``[N]``, and estimated_mismatch ``[N]`` from models that have it."""
+cross ``[N]``; ``amplitude_phase`` amplitude, phase ``[N, M]``; ``modes`` those of :func:`mode_names`; ``derivatives``
+these and those of :func:`derivative_names`; always status ``[N]``, and estimated_mismatch ``[N]`` from models that
+have it."""
 
-_OF_A_MODE = re.compile(r"(?:h|plus|cross)_\d\d").fullmatch
+_OF_A_MODE = re.compile(rf"h_\d\d(?:_(?:{'|'.join(DERIVATIVE_NAMES)}))?|(?:plus|cross)(?:_slope)?_\d\d").fullmatch
 
 
 def mode_names(mode: Mode) -> tuple[str, str, str]:
     """The arrays of one mode in an answer with ``modes``: h_lm ``[N, M]``, plus_lm and cross_lm ``[N]``."""
     degree, order = mode
     return f"h_{degree}{order}", f"plus_{degree}{order}", f"cross_{degree}{order}"
+
+
+def derivative_names(mode: Mode) -> tuple[tuple[str, ...], tuple[str, str]]:
+    """The arrays of one mode that come to those in an answer with ``derivatives``.
+
+    What h changes by with each of ``DERIVATIVE_NAMES``, ``[N, M]``, and both factors with the inclination, ``[N]``.
+    """
+    degree, order = mode
+    slopes = f"plus_slope_{degree}{order}", f"cross_slope_{degree}{order}"
+    return tuple(f"h_{degree}{order}_{name}" for name in DERIVATIVE_NAMES), slopes
 
 
 ALIGNMENT = 64

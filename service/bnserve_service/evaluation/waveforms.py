@@ -7,10 +7,13 @@ from collections.abc import Sequence
 import numpy as np
 
 from bnserve_protocol import (
+    DERIVATIVE_NAMES,
     AmplitudePhase,
+    Derivatives,
     DtypeName,
     EvaluationOptions,
     Factored,
+    FieldError,
     GridLike,
     InvalidRequest,
     Modes,
@@ -26,8 +29,10 @@ from bnserve_protocol.wire import (
     JSON,
     MSGPACK,
     GridDigest,
+    WaveformRequest,
     array_keys,
     decode_request,
+    derivative_names,
     encode_answer,
     encode_answer_json,
     mode_names,
@@ -39,8 +44,12 @@ from bnserve_service.settings import FURTHER_MODE, REQUEST_COST, ROW_COST, Servi
 from bnserve_service.telemetry.metrics import Metrics
 from bnserve_service.uploads.stores import GridStore
 
+_BY_MODES = ("modes", "derivatives")
+_DERIVATIVES = 7
+"""Times the work of the waveforms alone (``python -m benchmarks.derivatives``)."""
 _ARRAYS = {"polarizations": 2, "factored": 1, "amplitude_phase": 2}
-"""Numbers of an answer for each row and frequency; of ``modes`` as many as there are modes."""
+"""Numbers of an answer for each row and frequency; of ``modes`` as many as there are modes, of ``derivatives`` seven
+times as many."""
 
 
 class WaveformQuestion(Question, frozen=True, eq=False, kw_only=True):
@@ -110,8 +119,13 @@ class Waveforms(Kind[WaveformQuestion]):
         if count != 1 and asked.output in ("factored", "amplitude_phase"):
             the_mode(options, known)
         arrays = _ARRAYS.get(asked.output, count)
-        _check_sizes(rows, points, count if asked.output == "modes" else 1, self._limits, request.answer_type)
+        if asked.output == "derivatives":
+            arrays = count * (1 + len(DERIVATIVE_NAMES))
+            _refuse_derivatives(asked)
+        _check_sizes(rows, points, arrays if asked.output in _BY_MODES else 1, self._limits, request.answer_type)
         work = int(rows * (points + ROW_COST) * (1.0 + (count - 1) * FURTHER_MODE))
+        if asked.output == "derivatives":
+            work *= _DERIVATIVES
         return WaveformQuestion(
             kind=self,
             model=model,
@@ -123,6 +137,7 @@ class Waveforms(Kind[WaveformQuestion]):
             digest=request.digest,
             quick=work <= quick_work(model.model)
             and request.answer_type == MSGPACK
+            and asked.output != "derivatives"
             and asked.batch.in_plane is None,  # precession takes some hundred microseconds a row
             grid=grid,
             output=asked.output,
@@ -194,7 +209,7 @@ def evaluate_output(model: ServedModel, question: WaveformQuestion, batch: Param
 
 def _evaluate_output(
     model: ServedModel, question: WaveformQuestion, batch: ParameterBatch
-) -> tuple[Arrays, AmplitudePhase | Polarizations | Factored | Modes]:
+) -> tuple[Arrays, AmplitudePhase | Polarizations | Factored | Modes | Derivatives]:
     if batch.in_plane is not None and not getattr(model, "precesses", False):
         raise InvalidRequest(
             f"The model '{model.description.name}' does not say that it has precession: leave out chi_1x, chi_1y, "
@@ -206,6 +221,8 @@ def _evaluate_output(
     if question.output == "polarizations":
         both = model.predict_batch(question.grid, batch, options=question.options, dtype=question.dtype)
         return {"h_plus": both.plus, "h_cross": both.cross}, both
+    if question.output == "derivatives":
+        return _differentiated(model, question, batch)
     if question.output == "modes" and len(model.description.modes) > 1:
         modes = model.predict_modes(question.grid, batch, options=question.options, dtype=question.dtype)
         return _of_modes(modes), modes
@@ -215,7 +232,33 @@ def _evaluate_output(
     return {"h": one.h, "plus": one.plus, "cross": one.cross}, one
 
 
-def _of_modes(modes: Modes) -> Arrays:
+def _differentiated(
+    model: ServedModel, question: WaveformQuestion, batch: ParameterBatch
+) -> tuple[Arrays, Derivatives]:
+    differentiate = getattr(model, "predict_derivatives", None)
+    if differentiate is None:
+        raise InvalidRequest(
+            f"The model '{model.description.name}' does not say that it has derivatives: ask for its modes."
+        )
+    found: Derivatives = differentiate(question.grid, batch, options=question.options)
+    arrays = _of_modes(found)
+    for place, mode in enumerate(found.modes):
+        changes, (plus, cross) = derivative_names(mode)
+        arrays |= {name: found.derivatives[:, place, which] for which, name in enumerate(changes)}
+        arrays |= {plus: found.plus_slope[:, place], cross: found.cross_slope[:, place]}
+    return arrays, found
+
+
+def _refuse_derivatives(asked: WaveformRequest) -> None:
+    """What has no derivatives, before the model is asked."""
+    if asked.dtype != "complex128":
+        raise InvalidRequest(
+            "Derivatives are complex128: leave 'dtype' out.",
+            errors=[FieldError(reason="not complex128", parameter="dtype")],
+        )
+
+
+def _of_modes(modes: Modes | Derivatives) -> Arrays:
     arrays: Arrays = {}
     for place, mode in enumerate(modes.modes):
         h, plus, cross = mode_names(mode)
