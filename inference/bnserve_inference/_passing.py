@@ -49,10 +49,9 @@ def passing_times(
         leading = min(mode for mode in modes if mode[1] == order)
         options = options_for(model, (leading,), alignment=alignment, out_of_domain="flag")
         phases = model.predict_amplitude_phase(asked, batch, options=options).phase[:, places]
-        times = stencil.slope(phases.reshape(len(batch), *stencil.frequencies.shape)) / (-2.0 * np.pi)
-        for row, slow in enumerate(
-            times * nodes**_POWER
-        ):  # one by one: the bits of a product hang on what is beside it
+        slopes = stencil.slope(phases.reshape(len(batch), *stencil.frequencies.shape))
+        # Row by row: the bits of a product of matrices hang on how many rows there are.
+        for row, slow in enumerate(slopes * (nodes**_POWER / (-2.0 * np.pi))):
             found[row, place] = spline_values(x_nodes, slow, cardinal @ slow, x)
     return np.asarray(found / frequencies**_POWER)
 

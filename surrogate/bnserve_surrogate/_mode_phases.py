@@ -47,9 +47,10 @@ class ModePhases(NamedTuple):
         carrier = self.carrier(f, batch)
         own = np.angle(h * np.exp(-1j * carrier))
         known, turned = self._followed(batch)
-        mf = f * (batch.values[:, _TOTAL_MASS, None] * SOLAR_MASS_SECONDS)
+        with np.errstate(divide="ignore", invalid="ignore"):  # rows that are flagged have any mass
+            places = np.log(f * (batch.values[:, _TOTAL_MASS, None] * SOLAR_MASS_SECONDS))
         for row, near in enumerate(turned):
-            expected = np.interp(np.log(mf[row]), known, near)
+            expected = np.interp(places[row], known, near)
             turns = np.round((expected - own[row]) / (2.0 * np.pi))
             own[row] = np.where(h[row] == 0.0, expected, own[row] + 2.0 * np.pi * turns)
         return carrier + own

@@ -91,6 +91,8 @@ def check(analysis: Analysis) -> None:
     assert (values[~good] == -np.inf).all()
     if settings.kind != "full" or settings.time_marginalisation or settings.distance_marginalisation:
         return
+    if settings.moves or any(name.startswith("arms/") for name in analysis.arrays):
+        return
     for row in np.flatnonzero(good):
         expected, tolerance = directly(analysis, batch.rows(slice(row, row + 1)))
         assert not abs(values[row] - expected) > tolerance, (row, values[row], expected, tolerance)
@@ -183,8 +185,9 @@ def made(said: dict[str, Any]) -> Analysis:
     ):
         integrals[name] = None if said[name] is None else of_struct(kind, said[name])
     options = LikelihoodOptions(
-        prior=said["prior"], phase_marginalisation=bool(said["phase_marginalisation"]), **integrals
-    )
+        prior=said["prior"], phase_marginalisation=bool(said["phase_marginalisation"]), response=said["response"],
+        **integrals,
+    )  # fmt: skip
     common = {"trigger_time": said["trigger_time"], "f_min": said["f_min"], "f_max": said["f_max"], "options": options}
     if said["kind"] == "full":
         return full_analysis(data, **common)
@@ -208,7 +211,7 @@ MAKING: dict[str, Any] = {
         "coalescence_time": [-0.05, 0.05], "chirp_mass": [1.1953, 1.1955], "mass_ratio": [1.15, 1.25],
         "lambda_1": [350, 450], "lambda_2": [550, 650], "chi_1": [0.0, 0.02], "chi_2": [-0.01, 0.01],
     },
-    "time_marginalisation": None, "distance_marginalisation": None, "calibration": None,
+    "time_marginalisation": None, "distance_marginalisation": None, "calibration": None, "response": "static",
 }  # fmt: skip
 
 
@@ -243,9 +246,13 @@ def evaluated_seeds() -> list[bytes]:
         {}, {"phase_marginalisation": True}, {"calibration": Calibration(nodes=4, f_min=20.0, f_max=22.0)},
         {"distance_marginalisation": far}, {"time_marginalisation": times},
         {"time_marginalisation": times, "distance_marginalisation": far, "phase_marginalisation": True},
+        {"response": "moving"},
     ]  # fmt: skip
     full = [b"".join(encode_analysis(small_analysis(model(), f_max=22.0, **each))) for each in settings]
-    return [*full, *(b"".join(encode_analysis(made(each | {"kind": "binned"}))) for each in (MADE[0], MADE[3]))]
+    moving = made(MADE[0] | {"kind": "binned", "response": "moving"})
+    long = Analysis(settings=moving.settings, arrays={**moving.arrays, "arms/L1": 4e4 * np.eye(3)[:2]})
+    binned = [made(each | {"kind": "binned"}) for each in (MADE[0], MADE[3])]
+    return [*full, *(b"".join(encode_analysis(each)) for each in (*binned, long))]
 
 
 MADE: list[dict[str, Any]] = [
@@ -253,6 +260,7 @@ MADE: list[dict[str, Any]] = [
     {"time_marginalisation": {"minimum": -0.01, "maximum": 0.02}},
     {"time_marginalisation": {"minimum": -0.01, "maximum": 0.02, "step": 0.001}, "phase_marginalisation": True,
      "distance_marginalisation": {"minimum": 1.0, "maximum": 5000.0, "power": 2.0}},
+    {"response": "moving"}, {"response": "auto"},
     {"asd_at": [[200, 0.0], [201, 1e300]], "strain_at": [[200, 1e300]]},
     {"detector": {"response": [[0.5, 0, 0], [0, -0.5, 0], [0, 0, 0]], "location": [0, 0, 6356752.0]}},
 ]  # fmt: skip
@@ -262,6 +270,7 @@ MADE: list[dict[str, Any]] = [
 def made_seeds() -> list[bytes]:
     """What analyses may be asked for: everything is stated, so that everything can be changed."""
     binned = [MADE[0] | {"kind": "binned"}, MADE[2] | {"kind": "binned"}]  # which take longer
+    binned.append({"kind": "binned", "response": "auto"})
     return [json.dumps(MAKING | each).encode() for each in [*MADE, *binned]]
 
 
