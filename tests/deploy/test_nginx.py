@@ -1,8 +1,11 @@
 """The nginx configuration that ships: TLS before Unix sockets and addresses, large bodies, and servers that die."""
 
+import os
 import re
 import signal
 import subprocess
+import threading
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import ExitStack
 
 import numpy as np
@@ -16,7 +19,9 @@ from tests.deploy.fake_servers import FakeServer, break_off, reply
 from tests.deploy.proxies import NGINX, Callers, nginx_before, nginx_configuration, program
 from tests.deploy.test_haproxy import OPERATORS, REPEATED, what_callers_use
 from tests.integration.conftest import serving
+from tests.integration.workers import until
 from tests.service import asking
+from tests.service.test_tls import shown
 
 ONE = ParametersWithExtrinsic.gw170817()
 FREQUENCIES = np.geomspace(20.0, 2000.0, 1000)
@@ -95,6 +100,29 @@ def test_our_client_does_not_notice_that_a_server_is_killed_nor_others_that_one_
                 if number == 10:
                     servers[0].process.kill()
                 assert model.predict_batch(FREQUENCIES, [ONE] * 64).plus.tobytes() == right.plus.tobytes()
+
+
+def test_our_client_does_not_notice_that_the_certificate_is_renewed(tmp_path, made):
+    right = LocalModel.default().predict(FREQUENCIES, ONE).plus.tobytes()
+    with (
+        BackgroundServer(Settings(port=0, allowed_hosts=("*",))) as server,
+        nginx_before(tmp_path, [server.address.partition("://")[2]], made) as address,
+        Model.connect(address, verify=made.trusted) as model,
+        ThreadPoolExecutor(2) as threads,
+    ):
+        before, stop = shown(address), threading.Event()
+
+        def ask_on():
+            while not stop.is_set():
+                assert model.predict(FREQUENCIES, ONE).plus.tobytes() == right
+
+        asking_on = [threads.submit(ask_on) for _ in range(2)]
+        made.renew()
+        os.kill(int((tmp_path / "nginx.pid").read_text()), signal.SIGHUP)
+        until(lambda: shown(address) != before, "new connections get it")
+        stop.set()
+        for each in asking_on:
+            each.result()
 
 
 @pytest.mark.parametrize("fault", [break_off, reply(503)], ids=["killed", "full"])
