@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Scripts of users of other programs, against a running server: each program from the index, in an environment of its own.
 #
-#   bash tests/programs.sh bilby                    one or several of: bilby bilby_pipe pycbc bajes gwfish examples beside
+#   bash tests/programs.sh bilby                    one or several of: bilby bilby_pipe pycbc bajes gwfish pesummary
+#                                                   examples beside
 #   bash tests/programs.sh --short bilby            the least of it, in the environment of the tests, in a minute
 #   bash tests/programs.sh --cache DIR bilby        environments and what is fetched are kept there (.venv-programs)
 #
@@ -262,6 +263,25 @@ examples() {
     stop
 }
 
+# What `bnserve analyse` leaves, read by PESummary: its file with everything, and its pages.
+
+pesummary_reads() { # a result; PESummary's own file of it
+    local folder
+    folder=$(dirname "$1")
+    "$(dirname "$python")/summarycombine" --webdir "$folder/combined" --samples "$1" --labels ours --gw --nsamples 300 &&
+        "$python" tests/programs/pesummary_checks.py "$1" "$folder"/combined/samples/posterior_samples.h5
+}
+
+pesummary() {
+    environment pesummary-1.8.1 pesummary==1.8.1 "bilby==2.8.2" ./protocol ./model_store ./surrogate ./inference ./posterior ./service
+    local folder=$cache/pesummary-run
+    rm -rf "$folder"
+    mkdir "$folder"
+    "$python" tests/programs/pesummary_event.py >"$folder/event.toml"
+    check "bnserve analyse" "$(dirname "$python")/bnserve" analyse "$folder/event.toml" --output "$folder/run" --no-progress
+    check "pesummary 1.8.1" pesummary_reads "$folder/run/run_result.json"
+}
+
 # Nothing that others brought is replaced: the client, and what builds analyses, beside three programs.
 
 nothing_replaced() { # what is installed into $python's environment
@@ -283,11 +303,11 @@ beside() {
     done
 }
 
-[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby bilby_pipe pycbc bajes gwfish examples beside\n' >&2; exit 2; }
+[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby bilby_pipe pycbc bajes gwfish pesummary examples beside\n' >&2; exit 2; }
 for program in "${programs[@]}"; do
     case "$program" in
-        bilby | bilby_pipe | pycbc | bajes | gwfish | examples | beside) "$program" ;;
-        *) printf 'error: no program %s; there are bilby, bilby_pipe, pycbc, bajes, gwfish, examples, beside\n' "$program" >&2; exit 2 ;;
+        bilby | bilby_pipe | pycbc | bajes | gwfish | pesummary | examples | beside) "$program" ;;
+        *) printf 'error: no program %s; there are bilby, bilby_pipe, pycbc, bajes, gwfish, pesummary, examples, beside\n' "$program" >&2; exit 2 ;;
     esac
 done
 

@@ -84,6 +84,17 @@ def test_an_injection_has_the_signal_to_noise_ratio_that_was_asked_for(model):
     assert "without noise" in found.facts[0]
 
 
+def test_detectors_of_an_injection_turn_with_the_earth_unless_they_are_held(model):
+    turning, still = (
+        load_data(event(data__injection__response=response, data__injection__zero_noise=True), model, ((2, 2),))
+        for response in ("moving", "static")
+    )
+    assert "in detectors that turn" in turning.facts[0]
+    assert "stand still" in still.facts[0]
+    one, other = turning.detectors[0].strain, still.detectors[0].strain
+    assert 0.0 < np.abs(one - other).max() < 0.05 * np.abs(other).max()
+
+
 def test_noise_is_seeded(model):
     one, again, other = (
         load_data(event(data__injection__seed=seed), model, ((2, 2),)).detectors[0].strain for seed in (3, 3, 4)

@@ -45,6 +45,13 @@ def test_relative_binning_is_taken_where_it_is_within_the_bound(model):
     assert np.abs(likelihood(model, choice.analysis).log_likelihood(batch) - exact).max() < 0.05
 
 
+@pytest.mark.parametrize("response", ["moving", "static"])
+def test_detectors_move_as_is_said(model, response):
+    choice = build_likelihood(*posed(model, likelihood__response=response), model)
+    assert (choice.analysis.settings.response == "moving") == (response == "moving")
+    assert ("turn with the Earth" if response == "moving" else "stand still") in choice.facts[-1]
+
+
 def test_the_full_grid_is_taken_where_nothing_else_is(model):
     choice = build_likelihood(*posed(model, likelihood__error_bound=1e-13), model)
     assert choice.analysis.settings.kind == "full"

@@ -137,6 +137,7 @@ def _simulated(event: Event, model: WaveformModel, modes: tuple[Mode, ...] | Non
             list(event.detectors), [curve.asd for curve in curves], model=model,
             parameters=likelihood_parameters(parameters, data.trigger_time), trigger_time=data.trigger_time,
             start_time=segment_start(data), duration=data.duration, seed=seed, f_min=data.f_min, modes=modes,
+            response=injection.response,
         )  # fmt: skip
         return [_narrowed(one, section) for one, section in zip(made, event.detectors.values(), strict=True)]
 
@@ -147,9 +148,11 @@ def _simulated(event: Event, model: WaveformModel, modes: tuple[Mode, ...] | Non
     detectors = simulate(None if injection.zero_noise else injection.seed)
     noise = "without noise" if injection.zero_noise else f"in Gaussian noise of seed {injection.seed}"
     snr = network_snr(simulate(None), data)
+    seen = "in detectors that turn" if injection.response == "moving" else "in detectors that stand still"
     facts = [
         f"Simulated: a signal of signal-to-noise ratio {snr:.1f} at {parameters['luminosity_distance']:.1f} Mpc, "
-        f"{noise}; {data.duration:g} s from GPS {segment_start(data):.10g}, band {data.f_min:g} to {data.f_max:g} Hz.",
+        f"{seen}, {noise}; {data.duration:g} s from GPS {segment_start(data):.10g}, band {data.f_min:g} to "
+        f"{data.f_max:g} Hz.",
         *(f"{curve.origin}." for curve in curves),
     ]
     return EventData(detectors, parameters, facts, [], found.digests)

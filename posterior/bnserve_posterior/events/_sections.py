@@ -25,13 +25,15 @@ class InjectionSection(_Section, frozen=True, kw_only=True):
     """A signal in simulated noise, in place of strain.
 
     ``parameters`` have bilby's names. ``snr``: the optimal signal-to-noise ratio of the network, for which the distance
-    is chosen. ``seed`` is that of the noise; ``zero_noise`` leaves it out.
+    is chosen. ``seed`` is that of the noise; ``zero_noise`` leaves it out. ``response``: whether
+    detectors turn with the Earth while the signal passes, as they do in nature.
     """
 
     parameters: dict[str, float]
     snr: Positive | None = None
     seed: Natural = 1
     zero_noise: bool = False
+    response: Literal["moving", "static"] = "moving"
 
 
 class DataSection(_Section, frozen=True, kw_only=True):
@@ -85,6 +87,7 @@ class ModelSection(_Section, frozen=True, kw_only=True):
 class LikelihoodSection(_Section, frozen=True, kw_only=True):
     """How the likelihood is evaluated, and what it integrates over.
 
+    ``response``: whether detectors turn with the Earth while the signal passes; ``"auto"`` where that is seen.
     ``kind`` ``"auto"`` is the cheapest whose error in ln L is at most ``error_bound`` all over the prior, as checked
     against the full grid. ``basis`` is a reduced-order quadrature, by the name of one that comes with bnserve or of a
     file. ``modes`` are (l, m); without any, all that the model has. ``fiducial`` is what relative binning starts from,
@@ -93,6 +96,7 @@ class LikelihoodSection(_Section, frozen=True, kw_only=True):
 
     kind: Literal["auto", "relative_binning", "roq", "full"] = "auto"
     error_bound: Positive = DEFAULT_ERROR_BOUND
+    response: Literal["auto", "static", "moving"] = "auto"
     basis: str | None = None
     modes: tuple[tuple[int, int], ...] | None = None
     phase_marginalisation: bool = True

@@ -66,30 +66,40 @@ def build_likelihood(event: Event, data: EventData, cube: PriorCube, model: Wave
         analysis = _quadrature(event, data.detectors, _basis(event.likelihood.basis), model, options)
         return Choice(analysis, [f"Likelihood: reduced-order quadrature, {event.likelihood.basis}."])
     if kind == "relative_binning":
-        bound = f"Likelihood: relative binning, held to {event.likelihood.error_bound:g} in ln L all over the prior."
-        return Choice(_binned(event, data, cube, model, options), [bound])
+        analysis = _binned(event, data, cube, model, options)
+        return Choice(analysis, [f"Likelihood: relative binning, {_said(event, analysis)}."])
     return _cheapest(event, data, cube, model, options)
 
 
 def _cheapest(
     event: Event, data: EventData, cube: PriorCube, model: WaveformModel, options: LikelihoodOptions
 ) -> Choice:
-    """A quadrature that fits, the one of fewest nodes; or else relative binning; or else the full grid."""
+    """A quadrature that fits, where detectors may stand still; or else relative binning; or else the full grid."""
     facts: list[str] = []
-    bound = f"held to {event.likelihood.error_bound:g} in ln L all over the prior"
-    for name in (event.likelihood.basis,) if event.likelihood.basis else _fitting_bases(event, model, options):
-        try:
-            found = _quadrature(event, data.detectors, _basis(name), model, options)
-            return Choice(found, [*facts, f"Likelihood: reduced-order quadrature {name}, {bound}."])
-        except AnalysisInvalid as error:
-            facts.append(f"Not the quadrature {name}: {error}")
+    binned = None
     try:
-        found = _binned(event, data, cube, model, options)
-        return Choice(found, [*facts, f"Likelihood: relative binning, {len(found.linear_nodes)} nodes, {bound}."])
+        binned = _binned(event, data, cube, model, options)
     except (AnalysisInvalid, OutOfDomain) as error:
         facts.append(f"Not relative binning: {error}")
+    still = options.response == "static" if binned is None else binned.settings.response != "moving"
+    bases = (event.likelihood.basis,) if event.likelihood.basis else _fitting_bases(event, model, options)
+    for name in bases if still else ():
+        try:
+            found = _quadrature(event, data.detectors, _basis(name), model, options)
+            return Choice(found, [*facts, f"Likelihood: reduced-order quadrature {name}, {_said(event, found)}."])
+        except AnalysisInvalid as error:
+            facts.append(f"Not the quadrature {name}: {error}")
+    if binned is not None:
+        nodes = len(binned.linear_nodes)
+        return Choice(binned, [*facts, f"Likelihood: relative binning, {nodes} nodes, {_said(event, binned)}."])
     full = full_likelihood(event, data, cube, model)
     return Choice(full, [*facts, "Likelihood: the full grid, because nothing cheaper is within the bound."])
+
+
+def _said(event: Event, analysis: Analysis) -> str:
+    """What is promised of an analysis, and how its detectors move."""
+    moves = "turn with the Earth" if analysis.settings.response == "moving" else "stand still"
+    return f"held to {event.likelihood.error_bound:g} in ln L all over the prior, of detectors that {moves}"
 
 
 def full_likelihood(event: Event, data: EventData, cube: PriorCube, model: WaveformModel) -> Analysis:
@@ -110,6 +120,7 @@ def _options(event: Event, cube: PriorCube, model: WaveformModel) -> LikelihoodO
         distance_marginalisation=distance,
         error_bound=section.error_bound,
         modes=section.modes,
+        response=section.response,
     )
 
 
@@ -169,5 +180,5 @@ def _quadrature(
 ) -> Analysis:  # fmt: skip
     return roq_analysis(
         detectors, trigger_time=event.data.trigger_time, basis=basis, model=model,
-        options=replace(options, modes=options.modes or QUADRUPOLE), checked=True,
+        options=replace(options, modes=options.modes or QUADRUPOLE, response="static"), checked=True,
     )  # fmt: skip

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from bnserve_inference import DetectorData, detector_strain
 from bnserve_posterior.results import Samples
 from bnserve_posterior.running import Outcome
-from bnserve_protocol import LIKELIHOOD_NAMES, LikelihoodParameters, require
+from bnserve_protocol import LIKELIHOOD_NAMES, LikelihoodParameters, Response, require
 
 Floats = NDArray[np.float64]
 
@@ -133,11 +133,12 @@ def _signals(outcome: Outcome, data: DetectorData) -> Iterator[NDArray[np.comple
     frequencies = np.arange(len(data.asd)) / data.duration
     inside = np.flatnonzero((frequencies >= band.f_min) & (frequencies <= min(band.f_max, _BAND[1])))
     turn = np.exp(-2j * np.pi * frequencies[inside] * (band.trigger_time - data.start_time))
+    response: Response = "moving" if prepared.analysis.settings.response == "moving" else "static"
     for row in range(min(_CURVES, len(outcome.samples))):
         strain = np.zeros(len(data.asd), dtype=np.complex128)
         strain[inside] = turn * detector_strain(
             data.site(), frequencies[inside], prepared.model, _binary(outcome.samples, row),
-            trigger_time=band.trigger_time, modes=prepared.event.likelihood.modes,
+            trigger_time=band.trigger_time, modes=prepared.event.likelihood.modes, response=response,
         )  # fmt: skip
         yield strain
 

@@ -49,6 +49,7 @@ def bilby_result(
     integrated
         Names of the prior that were integrated over.
     """
+    import bilby
     import pandas
     from bilby.gw.result import CBCResult
 
@@ -78,7 +79,7 @@ def bilby_result(
             log_likelihood_evaluations=samples.log_likelihood,
             num_likelihood_evaluations=posterior.likelihoods,
             sampling_time=seconds,
-            version=f"bnserve={meta_data['versions']['bnserve']}",
+            version=f"bilby={bilby.__version__}, bnserve={meta_data['versions']['bnserve']}",
         )
 
 

@@ -20,9 +20,8 @@ def describe(outcome: Outcome) -> dict[str, Any]:
     return {
         "log_evidence": outcome.log_evidence,
         "log_evidence_error": posterior.log_evidence_error,
-        "log_evidences": [
-            {"log_evidence": value + shift, "log_evidence_error": error} for value, error in posterior.log_evidences
-        ],
+        "log_evidences": [value + shift for value, _ in posterior.log_evidences],
+        "log_evidence_errors": [error for _, error in posterior.log_evidences],
         "noise_log_likelihood": prepared.analysis.settings.noise_log_likelihood,
         "effective_samples": int(posterior.effective),
         "k_hat": posterior.k_hat,
@@ -77,7 +76,7 @@ def meta_data(outcome: Outcome) -> dict[str, Any]:
             "distance_marginalization": "luminosity_distance" in prepared.integrated,
             "frequency_domain_source_model": "bnserve",
             "waveform_arguments": {
-                "waveform_approximant": "TEOBResumS",
+                "waveform_approximant": "bnserve",
                 "reference_frequency": event.data.f_min,
                 "minimum_frequency": event.data.f_min,
                 "maximum_frequency": event.data.f_max,

@@ -121,9 +121,8 @@ def _print_outcome(options: argparse.Namespace, found: dict[str, Any], written: 
     if options.json:
         print_json({**found, "written": [str(path) for path in written]})
         return
-    halves = ", ".join(
-        f"{one['log_evidence']:.3f} +- {one['log_evidence_error']:.3f}" for one in found["log_evidences"]
-    )
+    each = zip(found["log_evidences"], found["log_evidence_errors"], strict=True)
+    halves = ", ".join(f"{value:.3f} +- {error:.3f}" for value, error in each)
     print(
         f"ln of the evidence ratio   {found['log_evidence']:.3f} +- {found['log_evidence_error']:.3f}"
         f" (either half alone: {halves})\n"
