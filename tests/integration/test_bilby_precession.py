@@ -5,6 +5,7 @@ import lal
 import lalsimulation
 import numpy as np
 import pytest
+from bilby.core.prior import DeltaFunction, Sine, Uniform
 
 from bnserve_client import InvalidRequest, OutOfBand
 from bnserve_client._lal_precession import components
@@ -210,22 +211,39 @@ def test_a_model_that_does_not_precess_says_so_in_a_sentence():
         waveform({}, bnserve_url=server.address, bnserve_model="modes", **AT_20_HZ)
 
 
-@pytest.mark.parametrize(
-    ("given", "is_refused"),
-    [
-        (bilby.core.prior.Sine(), True), (0.3, True), (0.0, False), (np.pi, False),
-        (bilby.core.prior.DeltaFunction(0.0), False),
-    ],
-)  # fmt: skip
-def test_a_likelihood_in_the_service_takes_aligned_spins(ours, given, is_refused):
-    arguments = {"bnserve_url": ours["bnserve_url"], "minimum_frequency": 40.0}
-    prior = priors(a_1=bilby.core.prior.Uniform(0.0, 0.05), tilt_1=given)
+ALIGNED = [{"a_1": Uniform(0.0, 0.05), "tilt_1": tilt} for tilt in (0.0, np.pi, DeltaFunction(0.0))]
+ALIGNED.append({"a_1": 0.0, "tilt_1": Sine()})
+TILTED = [
+    {"a_1": Uniform(0.0, 0.05), "tilt_1": Sine()}, {"a_1": Uniform(0.0, 0.05), "tilt_1": 0.3},
+    {"a_1": 0.1, "cos_tilt_1": Uniform(-1.0, 1.0)}, {"chi_1": 0.02, "chi_1_in_plane": Uniform(0.0, 0.1)},
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def likelihood_arguments(bnserve_server):
+    return {"bnserve_url": bnserve_server.address, "minimum_frequency": 40.0}
+
+
+@pytest.fixture(scope="module")
+def data(likelihood_arguments):
+    return network(generator(binary_neutron_star, **likelihood_arguments))
+
+
+def prior_of_spins(given):
+    prior = priors()
     del prior["chi_1"]
-    data = network(generator(binary_neutron_star, **arguments))
-    if is_refused:
-        with pytest.raises(InvalidRequest, match=r"'tilt_1'.*chi_1 and chi_2, as in .*BNSPriorDict\(\)"):
-            ServiceLikelihood.from_bilby(data, prior, waveform_arguments=arguments)
-        return
-    likelihood = ServiceLikelihood.from_bilby(data, prior, waveform_arguments=arguments)
+    prior.update(given)
+    return prior
+
+
+@pytest.mark.parametrize("given", TILTED, ids=lambda given: " ".join(given))
+def test_a_likelihood_in_the_service_takes_aligned_spins(data, likelihood_arguments, given):
+    with pytest.raises(InvalidRequest, match=rf"'{list(given)[-1]}'.*chi_1 and chi_2, as in .*BNSPriorDict\(\)"):
+        ServiceLikelihood.from_bilby(data, prior_of_spins(given), waveform_arguments=likelihood_arguments)
+
+
+@pytest.mark.parametrize("given", ALIGNED)
+def test_spins_that_are_aligned_may_have_angles_there(data, likelihood_arguments, given):
+    found = ServiceLikelihood.from_bilby(data, prior_of_spins(given), waveform_arguments=likelihood_arguments)
     sample = {name: value for name, value in SIGNAL.items() if name != "chi_1"} | {"a_1": 0.02, "tilt_1": 0.0}
-    assert likelihood.log_likelihood_ratio(sample) == likelihood.log_likelihood_ratio(SIGNAL)
+    assert found.log_likelihood_ratio(sample) == found.log_likelihood_ratio(SIGNAL)

@@ -79,15 +79,15 @@ def build_analysis(
 
 def _refuse_precession(priors: Any) -> None:
     for star in (1, 2):
-        sizes = ends(priors.get(f"a_{star}")) or (0.0, 1.0)
-        for name, aligned in ((f"tilt_{star}", (0.0, math.pi)), (f"cos_tilt_{star}", (-1.0, 1.0))):
-            if name not in priors or sizes == (0.0, 0.0):
-                continue
-            given = ends(priors[name])
-            if given is None or given[0] != given[1] or min(abs(given[0] - one) for one in aligned) > MOST_IN_PLANE:
+        if ends(priors.get(f"a_{star}")) == (0.0, 0.0):
+            continue
+        angles = {f"tilt_{star}": (0.0, math.pi), f"cos_tilt_{star}": (-1.0, 1.0), f"chi_{star}_in_plane": (0.0,)}
+        for name, aligned in angles.items():
+            low, high = ends(priors.get(name, aligned[0])) or (0.0, math.inf)
+            if low != high or min(abs(low - one) for one in aligned) > MOST_IN_PLANE:
                 raise InvalidRequest(
                     f"The priors have spins in the orbital plane ('{name}'), and likelihoods in the service take "
-                    "aligned spins: give priors of chi_1 and chi_2, as in bilby.gw.prior.BNSPriorDict(); or use the "
+                    "aligned ones: give priors of chi_1 and chi_2, as in bilby.gw.prior.BNSPriorDict(); or use the "
                     "source model binary_neutron_star in bilby's own likelihood, where binaries precess."
                 )
 
