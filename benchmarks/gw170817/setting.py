@@ -93,10 +93,8 @@ def read_asds() -> list[NDArray[np.float64]]:
 
 def network_snr(data: list[DetectorData]) -> float:
     """Optimal signal-to-noise ratio in the band of what is in the data; of a signal, if there is no noise."""
-    squares = [
-        4.0 / DURATION * np.sum(np.abs(strain / asd) ** 2) for strain, asd in (d.checked(F_MIN, F_MAX) for d in data)
-    ]
-    return float(np.sqrt(sum(squares)))
+    weighted = [detector.weighted(detector.band(F_MIN, F_MAX)) for detector in data]
+    return float(np.sqrt(sum(np.sum(density * np.abs(strain) ** 2) for strain, density in weighted)))
 
 
 def effective_one_body() -> GeneratorModel:

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._building import Alignment, Band, LikelihoodOptions, Ranges
+from bnserve_inference._band import Band
+from bnserve_inference._building import Alignment, LikelihoodOptions, Ranges
 from bnserve_inference._data import DetectorData
 from bnserve_inference._fiducial import CalibratedBasis, FiducialBasis
 from bnserve_inference._fitting import Fitting, Weighted, fitted_bins, fitted_calibrated_quadrature, fitted_quadrature
@@ -70,7 +71,8 @@ def full_analysis(
     """
     band = Band(data, trigger_time, f_min, f_max)
     options = replace(band.timed(options), response="static" if options.response == "static" else "moving")
-    arrays = band.arrays([row[None, :] for row in band.data], band.densities)
+    weights, densities = band.whole()
+    arrays = band.arrays(list(weights[:, None]), list(densities))
     return Analysis(settings=band.settings("full", alignment, options), arrays=arrays)
 
 
@@ -139,7 +141,7 @@ def roq_analysis(
     weighted = fitted_quadrature(fitting, basis) if checked else fitting.weighted(basis)
     if options.calibration is not None:
         around = reference or Box.of(options.prior, model).middle()
-        calibrated = CalibratedBasis.around(basis, around, band.frequencies, model)
+        calibrated = CalibratedBasis.around(basis, around, band.grid, model)
         weighted = fitted_calibrated_quadrature(fitting, calibrated)
     return _reduced("roq", weighted, replace(fitting, fiducial=reference), basis.model_digest or None)
 
@@ -193,7 +195,7 @@ def relative_binning_analysis(
     options = replace(options, modes=modes if several else None)
     band.check(options)
     followed = orders(modes) if several else QUADRUPOLE[1:]
-    basis = FiducialBasis.build(band.frequencies, one, model, phase_tolerance, alignment, followed)
+    basis = FiducialBasis.build(band.grid, one, model, phase_tolerance, alignment, followed)
     fitting = Fitting(band, model, alignment, options, one, modes)
     weighted = fitted_bins(fitting, basis)
     if options.response == "auto":

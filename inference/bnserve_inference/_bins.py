@@ -87,7 +87,7 @@ class Bins:
         total = np.concatenate([[0.0], np.cumsum(self._scale * smooth)])
         bins = max(len(self.basis.linear_nodes) // 2, int(np.ceil(min(total[-1], 1e9))))
         refuse_too_many(
-            bins, len(self.basis.frequencies), "What fits anywhere in the prior", "Narrow the prior, or state one"
+            bins, self.basis.grid.count, "What fits anywhere in the prior", "Narrow the prior, or state one"
         )
         edges = np.interp(np.linspace(0.0, total[-1], bins + 1), total, self._grid)
         edges[0], edges[-1] = self._grid[0], self._grid[-1]

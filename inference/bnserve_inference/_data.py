@@ -1,9 +1,9 @@
-"""The data of one detector, strain and noise in the frequency domain, and whether a signal fits into it."""
+"""The data of one detector, strain and noise in the frequency domain."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,15 +13,12 @@ from numpy.typing import NDArray
 from bnserve_inference._detectors import Detector
 from bnserve_inference._noise import LARGEST_ASD, LEAST_ASD
 from bnserve_inference._units import ASD_UNIT, number, real, real_or_complex
-from bnserve_protocol import SOLAR_MASS_SECONDS, AnalysisInvalid, FieldError
+from bnserve_protocol import AnalysisInvalid, FieldError
 
-LONGEST_SIGNAL = 2.5
-"""So many times what the data hold before the coalescence may a signal last in the band. What begins before the data
-wraps around to their end: of a signal 2.5 times as long, all below 1.4 times the lowest frequency."""
+_NEAR = 1e-6
+"""Steps of the grid within which a frequency is at a point of it."""
 _MOST_POWER = 1e8
 """Of strain over noise, a frequency, in the median; it is two for noise, and hundreds for the loudest signal."""
-_HEAVIEST = 1.75
-"""Solar masses; the chirp mass of the heaviest neutron stars, and so of the shortest signals, where no prior says."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,16 +34,21 @@ class DetectorData:
         the time step), whose time zero is ``start_time``.
     asd
         One-sided amplitude spectral density, ``(K,)`` in 1/sqrt(Hz). Infinite or zero where there is no data: these
-        frequencies have no weight, so that a detector may have notches and a band of its own.
+        frequencies have no weight.
     start_time
         GPS seconds of the first sample.
     duration
         Seconds.
+    f_min, f_max
+        The detector's own band in Hz, inside that of an analysis; None for all of it. What is outside has no weight.
+    notches
+        Pairs of frequencies in Hz, ``[(59.5, 60.5), ...]``: nothing from the first to the second, both included, has a
+        weight.
 
     Raises
     ------
     AnalysisInvalid
-        Strain and ASD of different length, or not vectors.
+        Strain and ASD of different length, or not vectors; a band or notches that are none.
     """
 
     detector: Detector | str
@@ -54,6 +56,9 @@ class DetectorData:
     asd: NDArray[np.float64]
     start_time: float
     duration: float
+    f_min: float | None = None
+    f_max: float | None = None
+    notches: Sequence[tuple[float, float]] = ()
 
     def __post_init__(self) -> None:
         if not isinstance(self.detector, str | Detector):
@@ -73,6 +78,16 @@ class DetectorData:
             raise AnalysisInvalid(f"Start time and duration of {self.name} must be finite, the duration positive.")
         object.__setattr__(self, "strain", strain)
         object.__setattr__(self, "asd", asd)
+        for name in ("f_min", "f_max"):
+            if getattr(self, name) is not None:
+                object.__setattr__(self, name, number(name, getattr(self, name), "Hz"))
+        object.__setattr__(self, "notches", _notches(self.name, self.notches))
+        for low, high in self.excluded():
+            if not low <= high:
+                raise AnalysisInvalid(
+                    f"{self.name} is to leave out the frequencies from {low} to {high} Hz: give the lower one first.",
+                    errors=[FieldError(reason="not increasing", parameter="notches", value=low)],
+                )
 
     @property
     def name(self) -> str:
@@ -93,7 +108,7 @@ class DetectorData:
         """
         bins = f_min * self.duration, f_max * self.duration
         for name, value, place in (("f_min", f_min, bins[0]), ("f_max", f_max, bins[1])):
-            if not np.isfinite(place) or abs(place - np.round(place)) > 1e-6:
+            if not np.isfinite(place) or abs(place - np.round(place)) > _NEAR:
                 raise AnalysisInvalid(
                     f"'{name}' ({value} Hz) must be a multiple of 1 / duration ({1.0 / self.duration} Hz).",
                     errors=[FieldError(reason="not on the data's grid", parameter=name, value=value)],
@@ -107,41 +122,89 @@ class DetectorData:
             )
         return slice(first, last + 1)
 
-    def checked(self, f_min: float, f_max: float) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
-        """Strain and ASD in a band: zero and infinite where there is no data.
+    def excluded(self) -> Iterator[tuple[float, float]]:
+        """First and last frequency of everything that has no weight, whatever its ASD."""
+        if self.f_min is not None:
+            yield -math.inf, np.nextafter(self.f_min, -math.inf)
+        if self.f_max is not None:
+            yield np.nextafter(self.f_max, math.inf), math.inf
+        yield from self.notches
 
-        Raises
-        ------
-        AnalysisInvalid
-            As :meth:`band`; NaN or infinite strain, an ASD that is negative or NaN, a PSD in its place, or no data.
+    def weighted(
+        self, place: slice, faults: Faults | None = None
+    ) -> tuple[NDArray[np.complex128], NDArray[np.float64]]:
+        """Strain and ``4 / (T S)`` of a run of frequencies: both are zero where there is no data.
+
+        ``faults`` are told what is wrong there.
         """
-        band = self.band(f_min, f_max)
-        strain, asd = self.strain[band], self.asd[band]
-        self._refuse_where(np.isnan(asd), band.start, "ASD", "is not a number; estimate it from other data")
-        self._refuse_where(asd < 0.0, band.start, "ASD", "is not positive but negative; estimate it from other data")
-        weighted = (asd > 0.0) & np.isfinite(asd)
-        if not weighted.any():
+        strain, asd = self.strain[place], self.asd[place]
+        used = np.ones(len(asd), dtype=np.bool_)
+        for low, high in self.excluded():
+            ends = np.clip((low * self.duration - _NEAR, high * self.duration + _NEAR), 0.0, float(len(self.asd)))
+            first, last = math.ceil(ends[0]) - place.start, math.floor(ends[1]) + 1 - place.start
+            used[max(first, 0) : max(last, 0)] = False
+        weighted = used & (asd > 0.0) & (asd < np.inf)
+        if faults is not None:
+            faults.look(place.start, strain, asd, used, weighted)
+        with np.errstate(divide="ignore", over="ignore"):
+            density = 4.0 / self.duration / np.square(asd)
+        if weighted.all():
+            return strain, density
+        return np.where(weighted, strain, 0.0), np.where(weighted, density, 0.0)
+
+
+class Faults:
+    """What is found wrong with data that are looked at piece by piece."""
+
+    def __init__(self, detector: DetectorData, f_min: float, f_max: float) -> None:
+        self._detector, self._band = detector, (f_min, f_max)
+        self._found: dict[tuple[str, str], tuple[int, int]] = {}
+        self._any = False
+
+    def look(
+        self, start: int, strain: NDArray[np.complex128], asd: NDArray[np.float64], used: NDArray[np.bool_],
+        weighted: NDArray[np.bool_],
+    ) -> None:  # fmt: skip
+        """Frequencies from the place ``start`` on, which of them are not left out, and which are to have a weight."""
+        self._any = self._any or bool(weighted.any())
+        for what, reason, bad in (
+            ("ASD", "is not a number; estimate it from other data", used & np.isnan(asd)),
+            ("ASD", "is not positive but negative; estimate it from other data", used & (asd < 0.0)),
+            ("ASD", f"is below {LEAST_ASD:g}: it is a PSD; take its square root", weighted & (asd < LEAST_ASD)),
+            ("ASD", f"is above {LARGEST_ASD:g} 1/sqrt(Hz): it is no ASD of strain", weighted & (asd > LARGEST_ASD)),
+            ("strain", "is not finite; remove the gap before windowing", weighted & ~np.isfinite(strain)),
+        ):
+            if bad.any():
+                first, others = self._found.get((what, reason), (start + int(np.argmax(bad)), -1))
+                self._found[what, reason] = first, others + int(bad.sum())
+
+    def refuse(self) -> None:
+        """Refuse the data if there is anything: AnalysisInvalid."""
+        name, (f_min, f_max) = self._detector.name, self._band
+        if not self._any and not self._found:
             raise AnalysisInvalid(
-                f"The ASD of {self.name} is zero or infinite from {f_min} to {f_max} Hz: there is no data in the band. "
-                "Leave the detector out, or choose another band.",
+                f"The ASD of {name} is zero or infinite from {f_min} to {f_max} Hz, or all is left out: there is no "
+                "data in the band. Leave the detector out, or choose another band.",
                 errors=[FieldError(reason="no data in the band", parameter="ASD")],
             )
-        low, high = weighted & (asd < LEAST_ASD), weighted & (asd > LARGEST_ASD)
-        self._refuse_where(low, band.start, "ASD", f"is below {LEAST_ASD:g}: it is a PSD; take its square root")
-        self._refuse_where(high, band.start, "ASD", f"is above {LARGEST_ASD:g} 1/sqrt(Hz): it is no ASD of strain")
-        gap = weighted & ~np.isfinite(strain)
-        self._refuse_where(gap, band.start, "strain", "is not finite; remove the gap before windowing")
-        return np.where(weighted, strain, 0.0), np.where(weighted, asd, np.inf)
-
-    def _refuse_where(self, bad: NDArray[np.bool_], first: int, what: str, reason: str) -> None:
-        if bad.any():
-            place = (first + int(np.argmax(bad))) / self.duration
-            others = int(bad.sum()) - 1
+        for (what, reason), (first, others) in self._found.items():
+            place = first / self._detector.duration
             more = f" So it is at {others} more frequencies." if others else ""
             raise AnalysisInvalid(
-                f"The {what} of {self.name} at {place:.6g} Hz {reason}.{more}",
+                f"The {what} of {name} at {place:.6g} Hz {reason}.{more}",
                 errors=[FieldError(reason=reason, parameter=what, value=place)],
             )
+
+
+def _notches(name: str, notches: Any) -> tuple[tuple[float, float], ...]:
+    """Pairs of floats in Hz."""
+    pairs = np.asarray(real("notches", notches, "Hz")) if len(notches) else np.empty((0, 2))
+    if pairs.ndim != 2 or pairs.shape[1] != 2:
+        raise AnalysisInvalid(
+            f"The notches of {name} are pairs of frequencies in Hz, [(59.5, 60.5)]; got shape {pairs.shape}.",
+            errors=[FieldError(reason="not pairs", parameter="notches")],
+        )
+    return tuple((float(low), float(high)) for low, high in pairs)
 
 
 def _vector(name: str, array: NDArray[Any], dtype: type) -> NDArray[Any]:
@@ -150,60 +213,11 @@ def _vector(name: str, array: NDArray[Any], dtype: type) -> NDArray[Any]:
     return np.ascontiguousarray(array, dtype=dtype)
 
 
-def relative_power(name: str, strain: NDArray[np.complex128], density: NDArray[np.float64]) -> NDArray[np.float64]:
-    """4 / (T S) abs(d)**2; refuses strain that is no noise of that density, with whatever signal in it."""
-    with np.errstate(over="ignore"):
-        power = density * np.abs(strain) ** 2
-    typical = float(np.median(power[density > 0.0]))
+def refuse_other_units(name: str, typical: float) -> None:
+    """Refuse strain that is no noise of its density, whatever the signal in it, by its ``typical`` power over noise."""
     if not typical <= _MOST_POWER:
         raise AnalysisInvalid(
             f"The strain of {name} is typically {np.sqrt(0.5 * typical):.2g} times as large as its noise: one of them "
             "is in another unit. Give the Fourier transform of the strain in 1/Hz and the ASD in 1/sqrt(Hz).",
             errors=[FieldError(reason="not of the noise's size", parameter="strain", value=str(typical))],
-        )
-    return np.asarray(power)
-
-
-def heaviest(prior: Mapping[str, tuple[float, float]]) -> float:
-    """The largest chirp mass within prior ranges, in solar masses."""
-    known = [_HEAVIEST] if not {"chirp_mass", "total_mass"} & prior.keys() else []
-    if "chirp_mass" in prior:
-        known.append(prior["chirp_mass"][1])
-    if "total_mass" in prior:
-        q = max(1.0, prior.get("mass_ratio", (1.0, 1.0))[0])
-        known.append(prior["total_mass"][1] * (q / (1.0 + q) ** 2) ** 0.6)
-    return min(known)
-
-
-def seconds_in_band(f_min: float, chirp_mass: float) -> float:
-    """Time from ``f_min`` (Hz) to the coalescence at the lowest order; the chirp mass is in solar masses."""
-    mass = chirp_mass * SOLAR_MASS_SECONDS
-    return 5.0 / 256.0 * mass * (math.pi * mass * f_min) ** (-8.0 / 3.0)
-
-
-def refuse_short(f_min: float, chirp_mass: float, available: float) -> None:
-    """Refuse data that hold too little of a signal before its coalescence.
-
-    Parameters
-    ----------
-    f_min
-        Lowest frequency that has a weight, in Hz.
-    chirp_mass
-        Of the shortest signal, in solar masses.
-    available
-        Seconds from the start of the data to the latest coalescence.
-
-    Raises
-    ------
-    AnalysisInvalid
-        The signal lasts more than :data:`LONGEST_SIGNAL` times as long.
-    """
-    signal = seconds_in_band(f_min, chirp_mass)
-    if signal > LONGEST_SIGNAL * available:
-        from_here = f_min * (signal / available) ** 0.375
-        raise AnalysisInvalid(
-            f"From {f_min:g} Hz a binary of chirp mass {chirp_mass:.4g} Msun lasts {signal:.4g} s, and the data begin "
-            f"{available:.4g} s before the coalescence: what is earlier would wrap around to their end. Take longer "
-            f"data, begin the band at {from_here:.4g} Hz, or state the prior of heavier binaries.",
-            errors=[FieldError(reason="signal longer than the data", parameter="f_min", value=f_min)],
         )

@@ -14,16 +14,16 @@ tells them apart, far too few to sample the errors.
 
 from __future__ import annotations
 
-import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._band import Grid
 from bnserve_inference._modes import QUADRUPOLE, quadrupole_options
-from bnserve_inference._splines import cardinal_spline, cardinal_values
+from bnserve_inference._splines import cardinal_spline, cardinal_values, in_cells
 from bnserve_protocol import AnalysisInvalid, EvaluationOptions, FieldError, ParameterBatch, WaveformModel
 
 Floats = NDArray[np.float64]
@@ -46,7 +46,7 @@ class FiducialBasis:
     """
 
     linear_nodes: Floats
-    frequencies: Floats
+    grid: Grid
     fiducial: ParameterBatch
     options: EvaluationOptions
     curvatures: Floats
@@ -64,10 +64,10 @@ class FiducialBasis:
 
     @classmethod
     def build(
-        cls, frequencies: Floats, fiducial: ParameterBatch, model: WaveformModel, phase_tolerance: float,
+        cls, grid: Grid, fiducial: ParameterBatch, model: WaveformModel, phase_tolerance: float,
         alignment: str, orders: tuple[int, ...] = (2,),
     ) -> FiducialBasis:  # fmt: skip
-        """Bins on the grid ``frequencies`` (Hz) for one binary; see ``relative_binning_analysis``.
+        """Bins on the ``grid`` of the data for one binary; see ``relative_binning_analysis``.
 
         Raises
         ------
@@ -80,52 +80,37 @@ class FiducialBasis:
                 errors=[FieldError(reason="not positive", parameter="phase_tolerance")],
             )
         options = quadrupole_options(model, alignment=alignment)
-        strain = model.predict_factored(frequencies, fiducial, options=options).h[0]
-        present = np.flatnonzero(strain)
-        if len(present) < 2:
+        last = _last(grid, fiducial, model, options)
+        if last < 1:
             raise AnalysisInvalid("The fiducial waveform vanishes in the band; choose another one or another band.")
-        top = float(frequencies[present[-1]])
-        nodes = bin_edges(float(frequencies[0]), top, phase_tolerance, most=len(present))
-        return cls(nodes, frequencies, fiducial, options, cardinal_spline(spread(nodes, nodes[0], top)), orders)
+        top = float(grid(slice(last, last + 1))[0])
+        nodes = bin_edges(grid.f_min, top, phase_tolerance, most=last + 1)
+        return cls(nodes, grid, fiducial, options, cardinal_spline(spread(nodes, nodes[0], top)), orders)
 
     def through(self, nodes: Floats) -> FiducialBasis:
         """The same with other edges, whose first and last are those of this."""
         curvatures = cardinal_spline(spread(nodes, float(nodes[0]), float(nodes[-1])))
         return replace(self, linear_nodes=nodes, curvatures=curvatures)
 
-    def linear_chunks(self, model: WaveformModel) -> Iterator[tuple[slice, NDArray[np.complex128]]]:
-        """Rows of h on the grid, piece by piece."""
-        at_nodes = [self.reference(model, order, self.linear_nodes) for order in self.orders]
-        for place, f, splines in self._pieces(_CHUNK // len(self.orders)):
-            rows = [
-                splines * self.reference(model, order, f) / at[:, None]
-                for order, at in zip(self.orders, at_nodes, strict=True)
-            ]
-            yield place, rows[0] if len(rows) == 1 else np.concatenate(rows)
-
     def quadratic_chunks(self, model: WaveformModel) -> Iterator[tuple[slice, Floats]]:
         """Rows of abs(h)**2 on the grid, piece by piece, of a single order."""
         (order,) = self.orders
         at_nodes = self.reference(model, order, self.linear_nodes)
-        for place, f, splines in self._pieces():
-            yield place, splines * np.abs(self.reference(model, order, f)) ** 2 / np.abs(at_nodes[:, None]) ** 2
+        first, top = float(self.linear_nodes[0]), float(self.linear_nodes[-1])
+        x_nodes = spread(self.linear_nodes, first, top)
+        for place in self.grid.pieces(_CHUNK):
+            f = self.grid(place)
+            f = f[f <= top]
+            if len(f) == 0:
+                return
+            splines = cardinal_values(x_nodes, self.curvatures, spread(f, first, top))
+            rows = splines * np.abs(self.reference(model, order, f)) ** 2 / np.abs(at_nodes[:, None]) ** 2
+            yield slice(place.start, place.start + len(f)), rows
 
-    def pair_weights(self, model: WaveformModel, densities: Sequence[Floats]) -> NDArray[np.complex128]:
-        """What conj(h) h' of every pair of orders meets at the edges, complex ``(D, P, L)``.
-
-        ``densities`` is ``4 / (T S)`` of every detector on the grid.
-        """
-        stacked = np.array(densities)
-        pairs = list(itertools.combinations_with_replacement(range(len(self.orders)), 2))
-        sums = np.zeros((len(self.linear_nodes), len(stacked), len(pairs)), dtype=np.complex128)
-        for place, f, splines in self._pieces():
-            h = [self.reference(model, order, f) for order in self.orders]
-            products = np.array([h[one].conj() * h[other] for one, other in pairs])
-            weighted = (stacked[:, None, place] * products).reshape(-1, len(f))
-            sums += (splines @ weighted.real.T + 1j * (splines @ weighted.imag.T)).reshape(sums.shape)
-        at = [self.reference(model, order, self.linear_nodes) for order in self.orders]
-        at_nodes = np.array([at[one].conj() * at[other] for one, other in pairs])
-        return np.ascontiguousarray(np.moveaxis(sums, 0, 2) / at_nodes)
+    def shares(self, f: Floats) -> tuple[NDArray[np.int64], Floats]:
+        """The bin of every frequency ``(n,)``, and the functions of :func:`._splines.in_cells` there, ``(4, n)``."""
+        first, top = float(self.linear_nodes[0]), float(self.linear_nodes[-1])
+        return in_cells(spread(self.linear_nodes, first, top), spread(f, first, top))
 
     def reference(self, model: WaveformModel, order: int, f: Floats) -> NDArray[np.complex128]:
         """h0_m at frequencies, ``(M,)``; nowhere zero up to the end of the fiducial waveform."""
@@ -137,14 +122,26 @@ class FiducialBasis:
         amplitude = np.where(polar.amplitude[0] > 0.0, polar.amplitude[0], end)
         return np.asarray(amplitude * np.exp(0.5j * order * polar.phase[0]))
 
-    def _pieces(self, most: int = _CHUNK) -> Iterator[tuple[slice, Floats, Floats]]:
-        first, top = float(self.linear_nodes[0]), float(self.linear_nodes[-1])
-        end = int(np.searchsorted(self.frequencies, top, side="right"))
-        x_nodes = spread(self.linear_nodes, first, top)
-        for start in range(0, end, most):
-            place = slice(start, min(start + most, end))
-            f = self.frequencies[place]
-            yield place, f, cardinal_values(x_nodes, self.curvatures, spread(f, first, top))
+    def extended(self, model: WaveformModel, order: int, f: Floats) -> NDArray[np.complex128]:
+        """:meth:`reference`, and beyond the end of the fiducial waveform something as large that turns on as it did."""
+        h = self.reference(model, order, f)
+        beyond = h == 0.0
+        if beyond.any():
+            last = self.linear_nodes[-1:]
+            end = model.predict_amplitude_phase(last, self.fiducial, options=self.options).amplitude[0]
+            phase = model.predict_amplitude_phase(f[beyond], self.fiducial, options=self.options).phase[0]
+            h[beyond] = end * np.exp(1j * phase)
+        return h
+
+
+def _last(grid: Grid, fiducial: ParameterBatch, model: WaveformModel, options: EvaluationOptions) -> int:
+    """The place of the last frequency that the fiducial waveform reaches, or -1."""
+    for stop in range(grid.count, 0, -_CHUNK):
+        place = slice(max(0, stop - _CHUNK), stop)
+        present = np.flatnonzero(model.predict_factored(grid(place), fiducial, options=options).h[0])
+        if len(present):
+            return place.start + int(present[-1])
+    return -1
 
 
 def spread(f: Floats, f_min: float, f_max: float) -> Floats:
@@ -201,11 +198,9 @@ class CalibratedBasis:
     smooth: FiducialBasis
 
     @classmethod
-    def around(
-        cls, basis: Any, reference: ParameterBatch, frequencies: NDArray[np.float64], model: WaveformModel
-    ) -> CalibratedBasis:
-        """With splines on the grid ``frequencies`` (Hz), around the binary ``reference``."""
-        smooth = FiducialBasis.build(frequencies, reference, model, _QUADRATIC_TOLERANCE, basis.alignment)
+    def around(cls, basis: Any, reference: ParameterBatch, grid: Grid, model: WaveformModel) -> CalibratedBasis:
+        """With splines on the ``grid`` of the data, around the binary ``reference``."""
+        smooth = FiducialBasis.build(grid, reference, model, _QUADRATIC_TOLERANCE, basis.alignment)
         return cls(basis, smooth)
 
     @property

@@ -9,14 +9,19 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._band import Band
+from bnserve_inference._bin_weights import BinWeights
 from bnserve_inference._bins import Bins
-from bnserve_inference._building import Alignment, Band, Basis, LikelihoodOptions
+from bnserve_inference._building import Alignment, Basis, LikelihoodOptions, Nodes
+from bnserve_inference._comparison import Comparison
 from bnserve_inference._fiducial import CalibratedBasis, FiducialBasis
+from bnserve_inference._fine_binning import FineBinning
+from bnserve_inference._fine_bins import FineBins, FullGrid, Judge
 from bnserve_inference._modes import options_for
 from bnserve_inference._modes_trial import ModesTrial
 from bnserve_inference._search import COORDINATES, Box, climb
-from bnserve_inference._trial import CalibrationErrors, Comparison, Trial
-from bnserve_inference._weights import ARRIVAL_MARGIN, TimeRange, Weights, quadratic_weights
+from bnserve_inference._trial import CalibrationErrors, Trial
+from bnserve_inference._weights import ARRIVAL_MARGIN, BasisWeights, TimeRange, Weights, quadratic_weights
 from bnserve_protocol import AnalysisInvalid, FieldError, Mode, ParameterBatch, WaveformModel
 
 Floats = NDArray[np.float64]
@@ -26,6 +31,8 @@ RELEVANT = 25.0
 _SHARE = 0.5
 """Of the bound, which what is measured may use up: binaries that were not looked at may be twice as wrong."""
 _COMPARED, _DRAWN = 64, 32
+_HELD = 4
+"""Binaries for which fine bins are held to all frequencies: a pass over the data each time."""
 _ATTEMPTS = 8
 
 
@@ -36,17 +43,19 @@ class Weighted:
     ``top`` is the largest ln L that was found, where that was looked for.
     """
 
-    basis: Basis
+    basis: Nodes
     weights: Weights
     quadratic: NDArray[Any]
     top: float = math.nan
 
 
 class Compared(NamedTuple):
-    """Binaries of the prior that fit with a basis, and what was found for some of them and others."""
+    """Binaries of the prior that fit with a basis, and what was found for some of them and others, with those errors of
+    calibration."""
 
     fitting: ParameterBatch
     batch: ParameterBatch
+    errors: CalibrationErrors | None
     found: Comparison
 
 
@@ -83,33 +92,37 @@ class Fitting:
         batch = box.binaries(unit)
         return ParameterBatch(batch.values[~box.outside(batch)][:_DRAWN])
 
-    def weighted(self, basis: Basis) -> Weighted:
-        """The sums of a basis."""
+    @property
+    def arrivals(self) -> TimeRange:
+        """All times of arrival that the prior allows."""
         low, high = self.options.prior["coalescence_time"]
-        arrivals = TimeRange(low - ARRIVAL_MARGIN, high + ARRIVAL_MARGIN)
-        quadratic: NDArray[Any]
-        if isinstance(basis, FiducialBasis) and len(self.modes) > 1:
-            quadratic, nodes = basis.pair_weights(self.model, self.band.densities), basis.all_nodes
-        else:
-            quadratic, nodes = self.quadratic(basis), basis.linear_nodes
-        chunks = basis.linear_chunks(self.model)
-        weights = Weights(chunks, nodes, self.band.frequencies, self.band.data, arrivals)
-        return Weighted(basis, weights, quadratic)
+        return TimeRange(low - ARRIVAL_MARGIN, high + ARRIVAL_MARGIN)
+
+    def weighted(self, basis: Basis) -> Weighted:
+        """The sums of a basis that is given by its rows."""
+        weights = BasisWeights(basis.linear_chunks(self.model), basis.linear_nodes, self.band, self.arrivals)
+        return Weighted(basis, weights, self.quadratic(basis))
+
+    def binned(self, basis: FiducialBasis, fine: FineBins) -> Weighted:
+        """The sums of bins."""
+        weights = BinWeights(basis, fine, self.model, self.arrivals)
+        return Weighted(basis, weights, weights.pairs())
 
     def quadratic(self, basis: Basis) -> Floats:
         """The sums of squared moduli of a basis over the noise, ``(D, Q)``."""
-        return quadratic_weights(basis.quadratic_chunks(self.model), self.band.densities)
+        return quadratic_weights(basis.quadratic_chunks(self.model), self.band)
 
-    def _trial(self, weighted: Weighted) -> Trial | ModesTrial:
+    def trial(self, weighted: Weighted) -> Trial | ModesTrial:
+        """The likelihood with a basis."""
         basis, weights, quadratic = weighted.basis, weighted.weights, weighted.quadratic
         if quadratic.ndim == 3 and isinstance(basis, FiducialBasis):
-            return ModesTrial(self.band, self.model, self.alignment, basis, weights, quadratic, self.modes)
+            return ModesTrial(self.model, self.alignment, basis, weights, quadratic, self.modes)
         options = options_for(self.model, self.modes, alignment=self.alignment, out_of_domain="flag")
-        return Trial(self.band, self.model, options, basis, weights, quadratic)
+        return Trial(self.model, options, basis, weights, quadratic)
 
-    def compared(self, weighted: Weighted, seed: int, seen: ParameterBatch | None) -> Compared:
-        """Binaries that fit with the basis, others of the prior, and those ``seen``: with it and on the full grid."""
-        box, trial = Box.of(self.options.prior, self.model), self._trial(weighted)
+    def compared(self, trial: Trial | ModesTrial, judge: Judge, seed: int, seen: ParameterBatch | None) -> Compared:
+        """Binaries that fit with the basis, others of the prior, and those ``seen``: with it and as the judge says."""
+        box = Box.of(self.options.prior, self.model)
 
         def value(unit: Floats) -> Floats:
             batch = box.binaries(unit)
@@ -124,30 +137,52 @@ class Fitting:
             batch = ParameterBatch(np.concatenate([seen.values, batch.values]))
         errors = None
         if self.options.calibration is not None:
-            errors = CalibrationErrors.draw(self.options.calibration, len(batch), len(self.band.data), seed)
-        return Compared(
-            box.binaries(points[values > values.max() - 2.0 * RELEVANT]), batch, trial.compare(batch, errors)
-        )
+            errors = CalibrationErrors.draw(self.options.calibration, len(batch), len(self.band.detectors), seed)
+        fits = box.binaries(points[values > values.max() - 2.0 * RELEVANT])
+        return Compared(fits, batch, errors, trial.compare(batch, errors, judge))
+
+    def held(self, trial: Trial | ModesTrial, compared: Compared, relevant: NDArray[np.bool_]) -> float:
+        """The largest error of ln L beside the full grid: of the best binary, of the worst and of some others that are
+        relevant."""
+        found, others = compared.found, np.flatnonzero(relevant)
+        rows = np.concatenate([[found.best.argmax()], others[np.argsort(-found.total[others])[:_HELD]]])
+        rows = np.unique(rows)[:_HELD]
+        errors = None if compared.errors is None else compared.errors.of(rows)
+        batch = ParameterBatch(compared.batch.values[rows])
+        return float(trial.compare(batch, errors, FullGrid(self.band)).total.max())
 
 
 def fitted_bins(fitting: Fitting, basis: FiducialBasis) -> Weighted:
     """Bins that are good enough for the whole prior: those given, or narrower ones where they are too wide.
+
+    They are made of fine bins and held to these; where they pass, to all frequencies at a few binaries.
 
     Raises
     ------
     AnalysisInvalid
         Too many would be needed.
     """
-    bins, seen = Bins(basis, fitting.model, fitting.options.calibration), None
+    calibration, arrivals = fitting.options.calibration, fitting.arrivals
+    bins, seen = Bins(basis, fitting.model, calibration), None
+    fine = FineBinning(fitting.band, fitting.model, basis, (arrivals.start, arrivals.stop), calibration)
+    fine.follow(fitting.draws())
     for attempt in range(_ATTEMPTS):
-        weighted = fitting.weighted(basis)
-        fit, batch, found = fitting.compared(weighted, attempt, seen)
+        weighted = fitting.binned(basis, fine.bins)
+        trial = fitting.trial(weighted)
+        compared = fitting.compared(trial, fine.bins, attempt, seen)
+        fit, batch, found = compared.fitting, compared.batch, compared.found
         top = float(found.best.max())
         fits = found.best > top - RELEVANT
         misleads = (found.approximate > top - RELEVANT) & ~fits
         worst = float(found.total[fits | misleads].max())
+        if fine.follow(ParameterBatch(batch.values[fits | misleads])):
+            continue
         if worst <= fitting.allowed:
-            return replace(weighted, top=top)
+            worst = fitting.held(trial, compared, fits | misleads)
+            if worst <= fitting.allowed:
+                return replace(weighted, top=top)
+            fine.narrow()
+            continue
         if seen is not None:  # bins were placed for these and are still too wide
             bins.narrow(
                 float(found.total[: len(seen)][(fits | misleads)[: len(seen)]].max(initial=0.0)) / fitting.allowed
@@ -176,7 +211,7 @@ def fitted_quadrature(fitting: Fitting, basis: Basis) -> Weighted:
     """
     weighted = fitting.weighted(basis)
     plain = replace(fitting, options=replace(fitting.options, calibration=None))
-    worst = float(plain.compared(weighted, 0, fitting.draws()).found.total.max())
+    worst = float(plain.compared(plain.trial(weighted), FullGrid(fitting.band), 0, fitting.draws()).found.total.max())
     if worst > fitting.allowed:
         raise AnalysisInvalid(
             f"The basis does not give the waveforms of this model: ln L may be wrong by {worst / _SHARE:.2g} in the "
@@ -196,9 +231,9 @@ def fitted_calibrated_quadrature(fitting: Fitting, basis: CalibratedBasis) -> We
         Its linear rows do not stand them.
     """
     bins = Bins(basis.smooth, fitting.model, fitting.options.calibration)
-    weighted = fitting.weighted(basis)
+    weighted, grid = fitting.weighted(basis), FullGrid(fitting.band)
     for attempt in range(_ATTEMPTS):
-        found = fitting.compared(weighted, attempt, fitting.draws()).found
+        found = fitting.compared(fitting.trial(weighted), grid, attempt, fitting.draws()).found
         if found.linear.max() > fitting.allowed:
             break
         worst = float(max(found.quadratic.max(), found.total.max()))

@@ -12,33 +12,33 @@ _POLES = (-0.430575347099973, -0.0430962882032647)
 
 
 def b_spline_coefficients(samples: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """Coefficients of the quintic B-spline that interpolates uniform samples along the second axis.
+    """Coefficients of the quintic B-spline that interpolates uniform samples along the first axis.
 
     Parameters
     ----------
     samples
-        ``(D, n, L)``; taken to be constant beyond the ends, so that :data:`MARGIN` / 2 of them serve the ends alone.
+        ``(n, L)``; taken to be constant beyond the ends, so that :data:`MARGIN` / 2 of them serve the ends alone.
 
     Returns
     -------
-    ``(D, n, L)``.
+    ``(n, L)``.
     """
     coefficients = samples.copy()
     for pole in _POLES:
         coefficients *= (1.0 - pole) * (1.0 - 1.0 / pole)
-        coefficients[:, 0] /= 1.0 - pole
-        for k in range(1, coefficients.shape[1]):
-            coefficients[:, k] += pole * coefficients[:, k - 1]
-        coefficients[:, -1] *= -pole / (1.0 - pole)
-        for k in range(coefficients.shape[1] - 2, -1, -1):
-            coefficients[:, k] = pole * (coefficients[:, k + 1] - coefficients[:, k])
+        coefficients[0] /= 1.0 - pole
+        for k in range(1, len(coefficients)):
+            coefficients[k] += pole * coefficients[k - 1]
+        coefficients[-1] *= -pole / (1.0 - pole)
+        for k in range(len(coefficients) - 2, -1, -1):
+            coefficients[k] = pole * (coefficients[k + 1] - coefficients[k])
     return coefficients
 
 
 def b_spline_midpoints(coefficients: NDArray[np.complex128]) -> NDArray[np.complex128]:
-    """The spline halfway between its samples, where it has six coefficients: ``(D, n, L)`` to ``(D, n - 5, L)``."""
+    """The spline halfway between its samples, where it has six coefficients: ``(n, L)`` to ``(n - 5, L)``."""
     c = coefficients
-    outer, middle, inner = c[:, :-5] + c[:, 5:], c[:, 1:-4] + c[:, 4:-1], c[:, 2:-3] + c[:, 3:-2]
+    outer, middle, inner = c[:-5] + c[5:], c[1:-4] + c[4:-1], c[2:-3] + c[3:-2]
     return (outer + 237.0 * middle + 1682.0 * inner) / 3840.0
 
 
@@ -62,11 +62,8 @@ def cardinal_values(
     nodes: NDArray[np.float64], curvatures: NDArray[np.float64], x: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """The cardinal functions of :func:`cardinal_spline` at ``x``: ``(n, len(x))``."""
-    cell = np.clip(np.searchsorted(nodes, x, side="right") - 1, 0, len(nodes) - 2)
-    width = nodes[cell + 1] - nodes[cell]
-    b = (x - nodes[cell]) / width
-    a = 1.0 - b
-    values = (a**3 - a) * width**2 / 6.0 * curvatures[cell].T + (b**3 - b) * width**2 / 6.0 * curvatures[cell + 1].T
+    cell, (a, b, left, right) = in_cells(nodes, x)
+    values = left * curvatures[cell].T + right * curvatures[cell + 1].T
     places = np.arange(len(x))
     values[cell, places] += a
     values[cell + 1, places] += b
@@ -77,9 +74,16 @@ def spline_values(
     nodes: NDArray[np.float64], values: NDArray[np.float64], curvatures: NDArray[np.float64], x: NDArray[np.float64]
 ) -> NDArray[np.float64]:
     """The cubic spline of ``values`` and second derivatives ``curvatures`` at the nodes, ``(n,)`` each, at ``x``."""
+    cell, (a, b, left, right) = in_cells(nodes, x)
+    bent = left * curvatures[cell] + right * curvatures[cell + 1]
+    return np.asarray(a * values[cell] + b * values[cell + 1] + bent, dtype=np.float64)
+
+
+def in_cells(nodes: NDArray[np.float64], x: NDArray[np.float64]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """The cell of every ``x`` ``(n,)``, and what the values and the second derivatives at its two nodes count there,
+    ``(4, n)``: of values at the left and right node, of second derivatives at the left and right node."""
     cell = np.clip(np.searchsorted(nodes, x, side="right") - 1, 0, len(nodes) - 2)
     width = nodes[cell + 1] - nodes[cell]
     b = (x - nodes[cell]) / width
     a = 1.0 - b
-    bent = (a**3 - a) * curvatures[cell] + (b**3 - b) * curvatures[cell + 1]
-    return np.asarray(a * values[cell] + b * values[cell + 1] + width**2 / 6.0 * bent, dtype=np.float64)
+    return cell, np.stack([a, b, (a**3 - a) * width**2 / 6.0, (b**3 - b) * width**2 / 6.0])

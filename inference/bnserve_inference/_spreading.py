@@ -44,11 +44,6 @@ class Spreading:
         points = int((f_max - self._first) / self._step) + 2 * _WIDTH + _CELLS
         self._sums = np.zeros((*shape, points), dtype=np.complex128)
 
-    @property
-    def points(self) -> int:
-        """Fewest times per period that :meth:`transform` gives."""
-        return self._sums.shape[2]
-
     def add(self, frequencies: Floats, rows: Complex | Floats, data: Complex) -> None:
         """Add increasing frequencies ``(m,)`` with rows ``(L, m)`` and data ``(D, m)``."""
         cells = ((frequencies - self._first) / self._step).astype(np.int64) // _CELLS
@@ -63,21 +58,30 @@ class Spreading:
             for detector, values in zip(target, turned[:, place], strict=True):
                 detector += rows[:, place] @ (values[:, None] * spread)
 
-    def transform(self, times: int, first: int, count: int) -> tuple[Floats, Complex]:
-        """The sums at ``centre + k * period / times`` for ``first <= k < first + count``.
+    def raster(self, step: float, width: float, margin: int) -> Floats:
+        """Uniform times in seconds, at most ``step`` apart: ``width`` around the centre and ``margin`` steps beyond."""
+        per_period = max(self._sums.shape[2], int(np.ceil(self.period / step)))
+        half = int(np.ceil(width * per_period / self.period)) + margin
+        return np.asarray(self.centre + self.period / per_period * np.arange(-half, half + 1), dtype=np.float64)
 
-        Returns
-        -------
-        The times in seconds ``(count,)`` and the sums ``(D, count, L)``.
-        """
-        k = first + np.arange(count)
-        offsets = np.asarray(k * (self.period / times), dtype=np.float64)
-        found = np.empty((self._sums.shape[0], count, self._sums.shape[1]), dtype=np.complex128)
+    def over(self, detector: int, raster: Floats) -> Complex:
+        """The sums at the times of a raster, ``(n, L)``."""
+        half = len(raster) // 2
+        per_period = round(self.period * 2 * half / (raster[-1] - raster[0]))
+        k = np.arange(-half, half + 1)
+        offsets = k * (self.period / per_period)
         factor = np.exp(-2j * np.pi * self._first * offsets) / _kernel_transform(offsets * self._step)
-        for d, rows in enumerate(self._sums):
-            for j, row in enumerate(rows):
-                found[d, :, j] = np.fft.fft(row, times)[k % times] * factor
-        return self.centre + offsets, found
+        found = np.empty((len(k), self._sums.shape[1]), dtype=np.complex128)
+        for j, row in enumerate(self._sums[detector]):
+            found[:, j] = np.fft.fft(row, per_period)[k % per_period] * factor
+        return found
+
+    def at(self, detector: int, times: Floats) -> Complex:
+        """The sums at times in seconds ``(n,)``, ``(n, L)``."""
+        offsets = times - self.centre
+        points = self._first + self._step * np.arange(self._sums.shape[2])
+        turns = np.exp(-2j * np.pi * points * offsets[:, None])
+        return (turns / _kernel_transform(offsets * self._step)[:, None]) @ self._sums[detector].T
 
 
 def _kernel(x: Floats) -> Floats:

@@ -10,12 +10,15 @@ B-splines on a grid of times that is as coarse as a tolerance allows interpolate
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+import math
+from collections.abc import Iterable
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._band import Band
 from bnserve_inference._splines import MARGIN, b_spline_coefficients, b_spline_midpoints
 from bnserve_inference._spreading import Spreading
 from bnserve_protocol import AnalysisInvalid, TimeGrid
@@ -45,8 +48,35 @@ class TimeRange:
         return self.stop - self.start
 
 
-class Weights:
-    """The weights of a basis as functions of time, for every detector.
+class Weights(Protocol):
+    """Weights as functions of time, of L nodes (of every order of modes) and D detectors."""
+
+    @property
+    def nodes(self) -> Floats:
+        """F_j in Hz, ``(L,)``."""
+
+    @property
+    def times(self) -> TimeRange:
+        """Where they are wanted."""
+
+    @property
+    def detectors(self) -> int:
+        """D."""
+
+    def raster(self, step: float, margin: int = 0) -> Floats:
+        """Uniform times, at most ``step`` seconds apart, over the range and so many steps beyond on either side: an odd
+        number, ``(n,)``."""
+
+    def over(self, detector: int, raster: Floats) -> Complex:
+        """``w_j(t) exp(-2 pi i F_j t)`` in one detector, at the times of a raster: ``(n, L)``. Strain at the nodes
+        times these is <d|h>."""
+
+    def at(self, detector: int, times: Floats) -> Complex:
+        """The same at any few times."""
+
+
+class BasisWeights:
+    """The weights of a basis that is given by its rows.
 
     Parameters
     ----------
@@ -54,58 +84,31 @@ class Weights:
         The basis: ``(place in the grid, rows (L, m))``.
     nodes
         F_j in Hz, ``(L,)``.
-    frequencies
-        The grid f_k in Hz, ``(M,)``.
-    data
-        ``4 / T conj(d) / S`` of D detectors, complex ``(M,)`` each.
+    band
+        The data.
     times
         Where the weights are wanted.
     """
 
-    def __init__(
-        self,
-        chunks: Iterable[tuple[slice, Complex]],
-        nodes: Floats,
-        frequencies: Floats,
-        data: Sequence[Complex],
-        times: TimeRange,
-    ) -> None:
-        self.nodes, self.times = nodes, times
-        stacked = np.array(data)
+    def __init__(self, chunks: Iterable[tuple[slice, Complex]], nodes: Floats, band: Band, times: TimeRange) -> None:
+        self.nodes, self.times, self.detectors = nodes, times, len(band.detectors)
         reach = 0.5 * times.width * (1.0 + 2.0 * (MARGIN + 2) / _FEWEST_INTERVALS)
         centre = 0.5 * (times.start + times.stop)
-        ends = float(frequencies[0]), float(frequencies[-1])
-        self._sums = Spreading(*ends, centre, reach, (len(stacked), len(nodes)))
+        self._sums = Spreading(band.f_min, band.f_max, centre, reach, (self.detectors, len(nodes)))
         for place, rows in chunks:
-            self._sums.add(frequencies[place], rows, stacked[:, place])
+            self._sums.add(band.grid(place), rows, band.piece(place)[0])
 
-    def fewest(self) -> int:
-        """Fewest intervals that :meth:`sampled` can divide the range into."""
-        return max(_FEWEST_INTERVALS, int(np.ceil(self._sums.points * self.times.width / self._sums.period)))
+    def raster(self, step: float, margin: int = 0) -> Floats:
+        """See :class:`Weights`."""
+        return self._sums.raster(step, 0.5 * self.times.width, margin)
 
-    def sampled(self, intervals: int) -> tuple[float, float, Complex]:
-        """Samples at most ``width / intervals`` apart over the range and :data:`MARGIN` beyond on either side.
+    def over(self, detector: int, raster: Floats) -> Complex:
+        """See :class:`Weights`."""
+        return self._sums.over(detector, raster)
 
-        Returns
-        -------
-        The first time, the step, and the weights ``(D, n, L)``.
-        """
-        per_period = int(np.ceil(intervals * self._sums.period / self.times.width))
-        step = self._sums.period / per_period
-        half = int(np.ceil(0.5 * self.times.width / step)) + MARGIN
-        times, sums = self._sums.transform(per_period, -half, 2 * half + 1)
-        return float(times[0]), step, sums * np.exp(2j * np.pi * self.nodes * times[:, None])
-
-    def products(self, step: float) -> tuple[Floats, Complex]:
-        """What turns strain at the nodes into <d|h>, at times at most ``step`` seconds apart over the range.
-
-        Returns
-        -------
-        The times ``(n,)`` and the sums ``w_j(t) exp(-2 pi i F_j t)``, ``(D, n, L)``.
-        """
-        per_period = max(self._sums.points, int(np.ceil(self._sums.period / step)))
-        half = int(np.ceil(0.5 * self.times.width * per_period / self._sums.period))
-        return self._sums.transform(per_period, -half, 2 * half + 1)
+    def at(self, detector: int, times: Floats) -> Complex:
+        """See :class:`Weights`."""
+        return self._sums.at(detector, times)
 
 
 def time_table(weights: Weights, amplitudes: Floats, tolerance: float) -> tuple[TimeGrid, Complex, float]:
@@ -129,19 +132,32 @@ def time_table(weights: Weights, amplitudes: Floats, tolerance: float) -> tuple[
     AnalysisInvalid
         The table would be larger than :data:`LARGEST_TABLE`.
     """
-    intervals = weights.fewest()
+    intervals, error = _FEWEST_INTERVALS, math.inf
     while True:
         _refuse_huge(intervals, amplitudes, weights.times)
-        start, step, fine = weights.sampled(2 * intervals)
-        knots, between = fine[:, ::2], fine[:, 1::2]  # both ends are knots
-        coefficients = b_spline_coefficients(knots)
-        errors = np.abs(b_spline_midpoints(coefficients) - between[:, 2:-2]) * amplitudes[:, None, :]
-        error = float(np.sqrt((errors[:, _SPARE:-_SPARE] ** 2).sum(axis=2)).max())
+        times = weights.raster(weights.times.width / (2 * intervals), MARGIN)
+        tables, errors = [], []
+        for detector, sizes in enumerate(amplitudes):
+            table, error = _interpolated(weights, detector, times, sizes)
+            tables.append(table)
+            errors.append(error)
+            if error > 2.0 * tolerance:
+                break
+        error = max(errors)
         if error <= tolerance:
-            table = np.ascontiguousarray(coefficients[:, _SPARE:-_SPARE])
-            return TimeGrid(start=start + 2.0 * step * _SPARE, step=2.0 * step), table, error
+            return TimeGrid(start=float(times[2 * _SPARE]), step=float(times[2] - times[0])), np.stack(tables), error
         finer = intervals * (error / tolerance) ** (1.0 / 6.0) * 1.02
         intervals = max(intervals + 8, min(int(finer) + 1, 3 * intervals))
+
+
+def _interpolated(weights: Weights, detector: int, times: Floats, sizes: Floats) -> tuple[Complex, float]:
+    """The spline through every other one of the times, and its error for strain of some sizes at the nodes."""
+    fine = weights.over(detector, times)
+    fine *= np.exp(2j * np.pi * weights.nodes * times[:, None])
+    knots, between = fine[::2], fine[1::2]  # both ends are knots
+    coefficients = b_spline_coefficients(knots)
+    errors = np.abs(b_spline_midpoints(coefficients)[_SPARE:-_SPARE] - between[2 + _SPARE : -2 - _SPARE]) * sizes
+    return coefficients[_SPARE:-_SPARE], float(np.sqrt((errors**2).sum(axis=1)).max())
 
 
 def _refuse_huge(intervals: int, amplitudes: Floats, times: TimeRange) -> None:
@@ -152,7 +168,6 @@ def _refuse_huge(intervals: int, amplitudes: Floats, times: TimeRange) -> None:
         )
 
 
-def quadratic_weights(chunks: Iterable[tuple[slice, Floats]], densities: Sequence[Floats]) -> Floats:
-    """q_m = sum_k 4 / (T S_k) B_m(f_k), float64 ``(D, Q)``; ``densities`` is ``4 / (T S)`` of every detector."""
-    stacked = np.array(densities)
-    return np.sum([stacked[:, place] @ np.ascontiguousarray(rows.real).T for place, rows in chunks], axis=0)
+def quadratic_weights(chunks: Iterable[tuple[slice, Floats]], band: Band) -> Floats:
+    """q_m = sum_k 4 / (T S_k) B_m(f_k), float64 ``(D, Q)``."""
+    return np.sum([band.piece(place)[1] @ np.ascontiguousarray(rows.real).T for place, rows in chunks], axis=0)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from bnserve_inference import LikelihoodOptions, full_analysis, likelihood, relative_binning_analysis, simulate_data
-from bnserve_inference._data import heaviest, seconds_in_band
+from bnserve_inference._extent import heaviest, seconds_in_band
 from bnserve_protocol import AnalysisInvalid, RowStatus, TimeMarginalisation
 from tests.inference.networks import DURATION, F_MAX, F_MIN, START, TRIGGER, TRUTH, asds, columns, full, without
 from tests.inference.test_kinds_agree import FIDUCIAL
