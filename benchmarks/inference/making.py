@@ -152,10 +152,10 @@ def on_the_grid(
 ) -> Floats:
     """ln L by sums over all frequencies of the band."""
     found = np.zeros(len(batch))
-    rows = [
-        dataclasses.replace(TRUTH, **{name: float(batch[name][k]) for name in LIKELIHOOD_NAMES})
-        for k in range(len(batch))
+    values: list[dict[str, Any]] = [
+        {name: float(batch[name][k]) for name in LIKELIHOOD_NAMES} for k in range(len(batch))
     ]
+    rows = [dataclasses.replace(TRUTH, **each) for each in values]
     for piece in range(round(instrument.f_min * instrument.duration), len(data[0].asd), PIECE):
         f = np.arange(piece, min(piece + PIECE, len(data[0].asd))) / instrument.duration
         place = slice(piece, piece + len(f))

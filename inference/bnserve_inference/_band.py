@@ -152,7 +152,7 @@ class Band:
         integrated = options.time_marginalisation
         if integrated is not None:
             self.check_times((integrated.minimum, integrated.maximum))
-        start = min(detector.start_time for detector in self.detectors)
+        start = max(detector.start_time for detector in self.detectors)
         refuse_short(
             self.f_min + self.first / self.duration,
             heaviest(options.prior) if chirp_mass is None else chirp_mass,

@@ -95,6 +95,8 @@ class BinWeights:
         bends = np.zeros_like(values)
         for left in range(self._edges - 1):
             place = slice(self._starts[left], self._starts[left + 1])
+            if place.start == place.stop:  # bins may be narrower than there is anything to tell
+                continue
             shares = self._shares[:, None, place] * weights[:, place]
             there = (shares.reshape(-1, shares.shape[2]) @ turned(place)).reshape(4, len(weights), count)
             values[left : left + 2] += there[:2]

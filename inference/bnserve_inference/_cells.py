@@ -104,6 +104,15 @@ def to_points(values: NDArray[np.float64] | NDArray[np.complex128], length: int)
     return found
 
 
+def from_points(values: Floats, length: int) -> Floats:
+    """Functions at all frequencies of cells of one length, ``(..., frequencies)``, of their values at the points,
+    ``(..., points)``."""
+    if length <= POINTS:
+        return values
+    found = values.reshape(-1, POINTS) @ _interpolation(length).T
+    return np.asarray(found.reshape(*values.shape[:-1], -1))
+
+
 @functools.cache
 def _offsets(length: int) -> Floats:
     """Of the points from the first frequency of a cell."""

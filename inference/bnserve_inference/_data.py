@@ -82,7 +82,13 @@ class DetectorData:
             if getattr(self, name) is not None:
                 object.__setattr__(self, name, number(name, getattr(self, name), "Hz"))
         object.__setattr__(self, "notches", _notches(self.name, self.notches))
-        for low, high in self.excluded():
+        band = -math.inf if self.f_min is None else self.f_min, math.inf if self.f_max is None else self.f_max
+        if not band[0] < band[1]:
+            raise AnalysisInvalid(
+                f"{self.name} has no frequency between 'f_min' and 'f_max', {band[0]} and {band[1]} Hz.",
+                errors=[FieldError(reason="not increasing", parameter="f_max", value=band[1])],
+            )
+        for low, high in self.notches:
             if not low <= high:
                 raise AnalysisInvalid(
                     f"{self.name} is to leave out the frequencies from {low} to {high} Hz: give the lower one first.",

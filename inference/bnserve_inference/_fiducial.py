@@ -116,22 +116,16 @@ class FiducialBasis:
         """h0_m at frequencies, ``(M,)``; nowhere zero up to the end of the fiducial waveform."""
         if order == QUADRUPOLE[1]:
             return np.asarray(model.predict_factored(f, self.fiducial, options=self.options).h[0], np.complex128)
+        amplitude, phase = self.polar(model, order, f)
+        return np.asarray(amplitude * np.exp(1j * phase))
+
+    def polar(self, model: WaveformModel, order: int, f: Floats) -> tuple[Floats, Floats]:
+        """Amplitude and phase of :meth:`reference`, ``(M,)`` each; beyond the end of the fiducial waveform they go on
+        as large as it was."""
         last = self.linear_nodes[-1:]
         polar = model.predict_amplitude_phase(2.0 / order * f, self.fiducial, options=self.options)
         end = model.predict_amplitude_phase(last, self.fiducial, options=self.options).amplitude[0]
-        amplitude = np.where(polar.amplitude[0] > 0.0, polar.amplitude[0], end)
-        return np.asarray(amplitude * np.exp(0.5j * order * polar.phase[0]))
-
-    def extended(self, model: WaveformModel, order: int, f: Floats) -> NDArray[np.complex128]:
-        """:meth:`reference`, and beyond the end of the fiducial waveform something as large that turns on as it did."""
-        h = self.reference(model, order, f)
-        beyond = h == 0.0
-        if beyond.any():
-            last = self.linear_nodes[-1:]
-            end = model.predict_amplitude_phase(last, self.fiducial, options=self.options).amplitude[0]
-            phase = model.predict_amplitude_phase(f[beyond], self.fiducial, options=self.options).phase[0]
-            h[beyond] = end * np.exp(1j * phase)
-        return h
+        return np.where(polar.amplitude[0] > 0.0, polar.amplitude[0], end), 0.5 * order * polar.phase[0]
 
 
 def _last(grid: Grid, fiducial: ParameterBatch, model: WaveformModel, options: EvaluationOptions) -> int:

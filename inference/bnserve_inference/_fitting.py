@@ -58,6 +58,22 @@ class Compared(NamedTuple):
     errors: CalibrationErrors | None
     found: Comparison
 
+    @property
+    def top(self) -> float:
+        """The largest ln L that was found."""
+        return float(self.found.best.max())
+
+    @property
+    def misleads(self) -> NDArray[np.bool_]:
+        """Which of them seem to fit and do not."""
+        least = self.top - RELEVANT
+        return np.asarray((self.found.approximate > least) & (self.found.best <= least))
+
+    @property
+    def relevant(self) -> NDArray[np.bool_]:
+        """Which of them fit, or seem to."""
+        return np.asarray((self.found.best > self.top - RELEVANT) | self.misleads)
+
 
 @dataclass(frozen=True, eq=False)
 class Fitting:
@@ -141,12 +157,11 @@ class Fitting:
         fits = box.binaries(points[values > values.max() - 2.0 * RELEVANT])
         return Compared(fits, batch, errors, trial.compare(batch, errors, judge))
 
-    def held(self, trial: Trial | ModesTrial, compared: Compared, relevant: NDArray[np.bool_]) -> float:
-        """The largest error of ln L beside the full grid: of the best binary, of the worst and of some others that are
-        relevant."""
-        found, others = compared.found, np.flatnonzero(relevant)
-        rows = np.concatenate([[found.best.argmax()], others[np.argsort(-found.total[others])[:_HELD]]])
-        rows = np.unique(rows)[:_HELD]
+    def held(self, trial: Trial | ModesTrial, compared: Compared) -> float:
+        """The largest error of ln L beside the full grid, of the best binary and of those that were worst beside fine
+        bins."""
+        relevant, total = np.flatnonzero(compared.relevant), compared.found.total
+        rows = np.unique([compared.found.best.argmax(), *relevant[np.argsort(total[relevant])[1 - _HELD :]]])
         errors = None if compared.errors is None else compared.errors.of(rows)
         batch = ParameterBatch(compared.batch.values[rows])
         return float(trial.compare(batch, errors, FullGrid(self.band)).total.max())
@@ -170,35 +185,35 @@ def fitted_bins(fitting: Fitting, basis: FiducialBasis) -> Weighted:
         weighted = fitting.binned(basis, fine.bins)
         trial = fitting.trial(weighted)
         compared = fitting.compared(trial, fine.bins, attempt, seen)
-        fit, batch, found = compared.fitting, compared.batch, compared.found
-        top = float(found.best.max())
-        fits = found.best > top - RELEVANT
-        misleads = (found.approximate > top - RELEVANT) & ~fits
-        worst = float(found.total[fits | misleads].max())
-        if fine.follow(ParameterBatch(batch.values[fits | misleads])):
+        worst = float(compared.found.total[compared.relevant].max())
+        if fine.follow(ParameterBatch(compared.batch.values[compared.relevant])):
             continue
         if worst <= fitting.allowed:
-            worst = fitting.held(trial, compared, fits | misleads)
+            worst = fitting.held(trial, compared)
             if worst <= fitting.allowed:
-                return replace(weighted, top=top)
+                return replace(weighted, top=compared.top)
             fine.narrow()
-            continue
-        if seen is not None:  # bins were placed for these and are still too wide
-            bins.narrow(
-                float(found.total[: len(seen)][(fits | misleads)[: len(seen)]].max(initial=0.0)) / fitting.allowed
-            )
-        seen = ParameterBatch(batch.values[fits | misleads][:_COMPARED])
-        bins.see(ParameterBatch(batch.values[found.best > top - 2.0 * RELEVANT]), misleading=False)
-        bins.see(ParameterBatch(batch.values[misleads]), misleading=True)
-        if not misleads.any():  # then what fits with the bins does fit
-            bins.see(fit, misleading=False)
-        basis = bins.placed(top)
+        else:
+            basis = _narrower(bins, compared, fitting.allowed, 0 if seen is None else len(seen))
+            seen = ParameterBatch(compared.batch.values[compared.relevant][:_COMPARED])
     raise AnalysisInvalid(
         f"Relative binning may be wrong by {worst / _SHARE:.2g} in ln L somewhere in the prior, where "
         f"{fitting.options.error_bound} is allowed: narrow the prior, state a larger error_bound, or take the full "
         "analysis.",
         errors=[FieldError(reason="too inaccurate", parameter="error_bound", value=worst / _SHARE)],
     )
+
+
+def _narrower(bins: Bins, compared: Compared, allowed: float, seen: int) -> FiducialBasis:
+    """Bins for what was compared, of which the first ``seen`` had bins placed for them before."""
+    batch, found = compared.batch, compared.found
+    if seen:  # and they are still too wide
+        bins.narrow(float(found.total[:seen][compared.relevant[:seen]].max(initial=0.0)) / allowed)
+    bins.see(ParameterBatch(batch.values[found.best > compared.top - 2.0 * RELEVANT]), misleading=False)
+    bins.see(ParameterBatch(batch.values[compared.misleads]), misleading=True)
+    if not compared.misleads.any():  # then what fits with the bins does fit
+        bins.see(compared.fitting, misleading=False)
+    return bins.placed(compared.top)
 
 
 def fitted_quadrature(fitting: Fitting, basis: Basis) -> Weighted:

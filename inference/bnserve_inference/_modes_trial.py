@@ -94,5 +94,4 @@ class ModesTrial:
     def _strain(self, f: Floats, batch: ParameterBatch, factors: Complex) -> Complex:
         """Of each order, ``(K, G, M)``."""
         h = np.asarray(self._model.predict_modes(f, batch, options=self._options).h, dtype=np.complex128)
-        h *= factors[:, :, None]
-        return np.stack([h[:, places].sum(axis=1) for places in self._groups], axis=1)
+        return np.concatenate([factors[:, None, places] @ h[:, places] for places in self._groups], axis=1)
