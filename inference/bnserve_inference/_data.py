@@ -128,13 +128,19 @@ class DetectorData:
             )
         return slice(first, last + 1)
 
-    def excluded(self) -> Iterator[tuple[float, float]]:
-        """First and last frequency of everything that has no weight, whatever its ASD."""
+    def left_out(self) -> Iterator[slice]:
+        """The places of the frequencies that have no weight, whatever their ASD."""
         if self.f_min is not None:
-            yield -math.inf, np.nextafter(self.f_min, -math.inf)
+            yield slice(0, self._places(self.f_min, math.inf).start)
         if self.f_max is not None:
-            yield np.nextafter(self.f_max, math.inf), math.inf
-        yield from self.notches
+            yield slice(self._places(0.0, self.f_max).stop, len(self.asd))
+        for low, high in self.notches:
+            yield self._places(low, high)
+
+    def _places(self, low: float, high: float) -> slice:
+        """Of the frequencies from the lower to the higher one, both included."""
+        first, last = np.clip((low * self.duration - _NEAR, high * self.duration + _NEAR), 0.0, float(len(self.asd)))
+        return slice(math.ceil(first), math.floor(last) + 1)
 
     def weighted(
         self, place: slice, faults: Faults | None = None
@@ -145,10 +151,8 @@ class DetectorData:
         """
         strain, asd = self.strain[place], self.asd[place]
         used = np.ones(len(asd), dtype=np.bool_)
-        for low, high in self.excluded():
-            ends = np.clip((low * self.duration - _NEAR, high * self.duration + _NEAR), 0.0, float(len(self.asd)))
-            first, last = math.ceil(ends[0]) - place.start, math.floor(ends[1]) + 1 - place.start
-            used[max(first, 0) : max(last, 0)] = False
+        for out in self.left_out():
+            used[max(out.start - place.start, 0) : max(out.stop - place.start, 0)] = False
         weighted = used & (asd > 0.0) & (asd < np.inf)
         if faults is not None:
             faults.look(place.start, strain, asd, used, weighted)

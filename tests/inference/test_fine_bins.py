@@ -133,8 +133,8 @@ def test_weights_that_are_wrong_are_found_by_fine_bins(fitting, basis, bins):
 
 
 def test_making_an_analysis_copies_no_long_data(model, data):
-    """Of 2048 s; they were copied five times."""
-    duration, f_max = 2048.0, 480.0
+    """Of two hours and more; they were copied five times."""
+    duration, f_max = 8192.0, 480.0
     points = round(duration * f_max) + 1
     noise = np.random.default_rng(3).standard_normal((2, points))
     asd = np.full(points, 1e-23)
