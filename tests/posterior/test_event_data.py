@@ -30,8 +30,8 @@ def model():
 def snr(data, band):
     total = 0.0
     for one in data.detectors:
-        strain, asd = one.checked(*band)
-        total += 4.0 / one.duration * np.sum(np.abs(strain / asd) ** 2)
+        strain, density = one.weighted(one.band(*band))
+        total += np.sum(density * np.abs(strain) ** 2)
     return np.sqrt(total)
 
 

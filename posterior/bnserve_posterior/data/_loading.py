@@ -162,8 +162,8 @@ def network_snr(detectors: list[DetectorData], data: DataSection) -> float:
     """Optimal signal-to-noise ratio of what is in the data; of a signal, if there is no noise."""
     squares = 0.0
     for detector in detectors:
-        strain, asd = detector.checked(data.f_min, data.f_max)
-        squares += 4.0 / data.duration * float(np.sum(np.square(np.abs(strain / asd))))
+        strain, density = detector.weighted(detector.band(data.f_min, data.f_max))
+        squares += float(np.sum(density * np.square(np.abs(strain))))
     return math.sqrt(squares)
 
 
