@@ -59,7 +59,7 @@ class Detector:
             object.__setattr__(self, name, array)
         check_location(self.name, self.location)
         if self.arms is not None:
-            check_arms(self.name, self.arms)
+            check_arms(self.name, self.arms, self.response)
         radius = math.hypot(*self.location.tolist())
         if 0.0 < radius < _LEAST_RADIUS:
             raise AnalysisInvalid(

@@ -147,7 +147,7 @@ def check_arrays(settings: AnalysisSettings, arrays: Mapping[str, NDArray[Any]])
         check_location(name, arrays[f"location/{name}"])
         _check_knots(settings, len(arrays[f"linear_weights/{name}"]))
         if f"arms/{name}" in arrays:
-            check_arms(name, arrays[f"arms/{name}"])
+            check_arms(name, arrays[f"arms/{name}"], arrays[f"response/{name}"])
     if settings.moves or any(f"arms/{name}" in arrays for name in settings.detectors):
         _check_one_kind_of_nodes(settings, arrays)
 
@@ -246,17 +246,19 @@ def check_location(name: str, location: NDArray[np.float64]) -> None:
         )
 
 
+_SINGLE_PRECISION = 1e-5
+"""Of responses that come from LAL, and some more."""
 _LONGEST_ARM = 1e5
 """Metres; the longest that is planned has 40 km."""
 
 
-def check_arms(name: str, arms: NDArray[np.float64]) -> None:
-    """Refuse arms, ``(2, 3)`` in metres, that are none.
+def check_arms(name: str, arms: NDArray[np.float64], response: NDArray[np.float64]) -> None:
+    """Refuse arms, ``(2, 3)`` in metres, that are none, or not those of the ``response`` ``(3, 3)``.
 
     Raises
     ------
     AnalysisInvalid
-        They have no length, or one that none has on Earth.
+        They have no length, one that none has on Earth, or make another response.
     """
     lengths = [math.hypot(*arm) for arm in arms.tolist()]
     if not 0.0 < min(lengths) <= max(lengths) <= _LONGEST_ARM:
@@ -264,6 +266,13 @@ def check_arms(name: str, arms: NDArray[np.float64]) -> None:
             f"The arms of {name} are {lengths[0]:.7g} and {lengths[1]:.7g} m long; give vectors of at most "
             f"{_LONGEST_ARM:g} m, or leave them out for a detector whose arms count as short.",
             errors=[FieldError(reason="no arms", parameter=f"arms/{name}", value=max(lengths))],
+        )
+    x, y = arms / np.array(lengths)[:, None]
+    if not np.abs(0.5 * (np.outer(x, x) - np.outer(y, y)) - response).max() <= _SINGLE_PRECISION:
+        raise AnalysisInvalid(
+            f"The response of {name} is not that of its arms, half of the difference of the products of their unit "
+            "vectors with themselves: give the arms in the Earth-fixed frame, or leave them out.",
+            errors=[FieldError(reason="not those of the response", parameter=f"arms/{name}")],
         )
 
 

@@ -63,7 +63,7 @@ def moving_bins():
         arrays[f"quadratic_weights/{name}"] = np.linspace(0.5, 1.0, len(nodes)) * 1e46
     arrays["reference_phases"] = -np.cumsum(nodes)[None] % 6.0
     arrays["reference_times"] = -5e3 * (nodes[None] / 20.0) ** (-8.0 / 3.0)
-    arrays["arms/V1"] = 4e4 * np.eye(3)[:2]
+    arrays["arms/V1"], arrays["response/V1"] = 4e4 * np.eye(3)[:2], np.diag([0.5, -0.5, 0.0])
     return Analysis(settings=msgspec.structs.replace(given.settings, response="moving"), arrays=arrays)
 
 

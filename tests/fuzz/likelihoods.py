@@ -250,9 +250,14 @@ def evaluated_seeds() -> list[bytes]:
     ]  # fmt: skip
     full = [b"".join(encode_analysis(small_analysis(model(), f_max=22.0, **each))) for each in settings]
     moving = made(MADE[0] | {"kind": "binned", "response": "moving"})
-    long = Analysis(settings=moving.settings, arrays={**moving.arrays, "arms/L1": 4e4 * np.eye(3)[:2]})
+    long = Analysis(settings=moving.settings, arrays=dict(moving.arrays) | x_and_y("L1"))
     binned = [made(each | {"kind": "binned"}) for each in (MADE[0], MADE[3])]
     return [*full, *(b"".join(encode_analysis(each)) for each in (*binned, long))]
+
+
+def x_and_y(name: str) -> dict[str, Any]:
+    """A detector with long arms along the first axes of the Earth."""
+    return {f"arms/{name}": 4e4 * np.eye(3)[:2], f"response/{name}": np.diag([0.5, -0.5, 0.0])}
 
 
 MADE: list[dict[str, Any]] = [

@@ -265,6 +265,8 @@ def test_an_analysis_that_moves_has_what_it_needs(seven, moved):
         Analysis(settings=standing, arrays=arrays)
     with pytest.raises(AnalysisInvalid, match="arms of H1 are"):
         Analysis(settings=analysis.settings, arrays={**analysis.arrays, "arms/H1": np.zeros((2, 3))})
+    with pytest.raises(AnalysisInvalid, match="The response of H1 is not that of its arms"):
+        Analysis(settings=analysis.settings, arrays={**analysis.arrays, "arms/H1": 4e3 * np.eye(3)[:2]})
     moving = msgspec.structs.replace(analysis.settings, kind="roq")
     with pytest.raises(AnalysisInvalid, match="A reduced-order quadrature gives waveforms"):
         Analysis(settings=moving, arrays=analysis.arrays)
