@@ -34,21 +34,24 @@ def draw(knots: Floats, values_at: ValuesAt, uniforms: Floats) -> Floats:
     """Places ``(N,)`` between 0 and n - 1, in steps, where the distribution function has the values ``uniforms``.
 
     A row's bits depend on the row alone. Parameters are as of
-    :func:`~bnserve_inference._log_quadrature.log_mean_exponential`, whose error they have; NaN where F is not finite.
+    :func:`~bnserve_inference._log_quadrature.log_mean_exponential`, whose error they have; NaN where F is not finite,
+    or the error too large.
     """
     good = np.flatnonzero(np.isfinite(knots).all(axis=1))
     places = np.full(len(knots), np.nan)
     if len(good) == 0:
         return places
-    starts, widths, shares = np.empty(len(good)), np.empty(len(good)), np.empty(len(good))
+    starts, widths, shares = np.zeros(len(good)), np.full(len(good), np.nan), np.zeros(len(good))
     found = masses(knots[good], lambda rows, at: values_at(good[rows], at))
     for row, (start, width, mass) in enumerate(found):
+        if len(mass) == 0:
+            continue
         reached = np.cumsum(mass)
         wanted = uniforms[good[row]] * reached[-1]
         which = min(int(np.searchsorted(reached, wanted, side="right")), len(mass) - 1)
         starts[row], widths[row] = start[which], width[which]
         shares[row] = (wanted - (reached[which] - mass[which])) / mass[which]
-    at = starts[:, None] + widths[:, None] * _NODES
+    at = starts[:, None] + np.where(np.isfinite(widths), widths, 0.0)[:, None] * _NODES
     values = values_at(np.repeat(good, len(_NODES)), at.reshape(-1)).reshape(at.shape)
     inside = _inverse(np.exp(values - values.max(axis=1, keepdims=True)), np.clip(shares, 0.0, 1.0))
     places[good] = starts + widths * inside

@@ -175,9 +175,11 @@ class LocalLikelihood:
 
         def keep(rows: NDArray[np.intp], tile: Tile) -> Floats:
             found, values[rows] = self._draws.of(tile, uniforms[rows])
+            all_finite = np.asarray(values[rows])
             for name, numbers in found.items():
                 drawn[name][rows] = numbers
-            return values[rows]
+                all_finite = np.where(np.isfinite(numbers), all_finite, np.nan)
+            return all_finite
 
         status = self._by_tiles(coerced, keep)
         for numbers in drawn.values():

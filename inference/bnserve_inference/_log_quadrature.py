@@ -85,12 +85,13 @@ def log_mean_exponential(knots: Floats, values_at: ValuesAt) -> tuple[Floats, Fl
 def masses(knots: Floats, values_at: ValuesAt) -> Iterator[tuple[Floats, Floats, Floats]]:
     """Of each row, the pieces that hold all of the integral of exp(F): starts and widths in steps, and what each holds.
 
-    Parameters are as of :func:`log_mean_exponential`; pieces come in their order, and F is finite.
+    Parameters are as of :func:`log_mean_exponential`; pieces come in their order, and F is finite. There are none
+    where the integral cannot be had to :data:`TOLERANCE`.
     """
     top = knots.max(axis=1)
     cells, found = _parts(knots, top, values_at)
-    rows, starts, widths, highest, integrals = (
-        np.concatenate([panels[field] for panels in found] or [np.zeros(0)]) for field in range(5)
+    rows, starts, widths, highest, integrals, errors = (
+        np.concatenate([panels[field] for panels in found] or [np.zeros(0)]) for field in range(6)
     )
     for row in range(len(knots)):
         smooth, here = np.flatnonzero(cells[row] > 0.0), np.flatnonzero(rows == row)
@@ -103,7 +104,8 @@ def masses(knots: Floats, values_at: ValuesAt) -> Iterator[tuple[Floats, Floats,
                 widths[here] * integrals[here] * np.exp(highest[here] - most),
             ]
         )
-        order = np.argsort(start, kind="stable")
+        error = (widths[here] * errors[here] * np.exp(highest[here] - most)).sum()
+        order = np.argsort(start, kind="stable") if error <= TOLERANCE * mass.sum() < np.inf else np.zeros(0, np.int64)
         yield start[order], width[order], mass[order]
 
 

@@ -32,11 +32,13 @@ from bnserve_protocol import (
     DistanceMarginalisation,
     EvaluationOptions,
     InvalidRequest,
+    Likelihood,
     LikelihoodBatch,
     RowStatus,
     TimeMarginalisation,
     decode_analysis,
     encode_analysis,
+    integrated_names,
     likelihood_samples,
 )
 from bnserve_surrogate import Model
@@ -85,10 +87,12 @@ def check(analysis: Analysis) -> None:
         return
     nodes = 0 if settings.calibration is None else settings.calibration.nodes
     batch = batch_of(settings.detectors, nodes)
-    values, status = likelihood(model(), analysis).evaluate(batch)
+    bound = likelihood(model(), analysis)
+    values, status = bound.evaluate(batch)
     good = status == RowStatus.OK
     assert (np.isfinite(values) == good).all(), (values, status)
     assert (values[~good] == -np.inf).all()
+    check_details(bound, batch)
     if settings.kind != "full" or settings.time_marginalisation or settings.distance_marginalisation:
         return
     if settings.moves or any(name.startswith("arms/") for name in analysis.arrays):
@@ -96,6 +100,20 @@ def check(analysis: Analysis) -> None:
     for row in np.flatnonzero(good):
         expected, tolerance = directly(analysis, batch.rows(slice(row, row + 1)))
         assert not abs(values[row] - expected) > tolerance, (row, values[row], expected, tolerance)
+
+
+def check_details(bound: Likelihood, batch: LikelihoodBatch) -> None:
+    """Evaluate products, and draws of what is integrated over: finite where the status is OK, and nowhere else."""
+    products = bound.products(batch)
+    good = products.status == RowStatus.OK
+    assert (np.isfinite(products.d_inner_h).all(axis=1) == good).all(), products
+    assert (np.isfinite(products.h_inner_h).all(axis=1) == good).all(), products
+    if not integrated_names(bound.analysis.settings):
+        return
+    drawn = bound.draw_marginalised(batch, seed=1)
+    good = drawn.status == RowStatus.OK
+    for numbers in (drawn.log_likelihood, *drawn.parameters.values()):
+        assert (np.isfinite(numbers) == good).all(), drawn
 
 
 def directly(analysis: Analysis, row: LikelihoodBatch) -> tuple[float, float]:
