@@ -42,6 +42,7 @@ ELSEWHERE = {
     r"\b(bash tests/|ruff|mypy|python docs/generate|uv pip compile)": "the tests are part of it",
     r"\b(docker|kubectl|haproxy|nginx|serve run)\b": "tests/deploy and integration/test_container.py run what is there",
     r"\b(deploy/batch/|sbatch|systemctl)": "tests/deploy/test_batch.py and test_systemd.py run what is there",
+    r"python3 -m tests\.image\b": "takes minutes and root; tests/integration/test_container.py runs its steps",
     r"python examples/": "tests/integration/test_examples.py and test_samplers.py, and tests/programs.sh examples",
 }
 """Where commands are looked after that no page runs."""
