@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from scipy.special import logsumexp
 
 from bnserve_posterior.sampling._evaluation import Evaluator
-from bnserve_posterior.sampling._pareto import pareto_k
+from bnserve_posterior.sampling._pareto import FINITE, pareto_k
 from bnserve_posterior.sampling._problem import Problem
 from bnserve_posterior.sampling._proposals import Proposal, inside
 
@@ -29,6 +29,9 @@ _ITERATIONS = 15
 """Of a mixture's fit; twice as many make no difference."""
 _NEGLIGIBLE = 1e-3
 """Draws of a smaller weight than this part of the mean are not fitted to."""
+_SLOWLY = 1.4
+"""Where the variance of weights is infinite, evidences scatter so much more than the weights at hand say: measured in
+eleven runs of a binary neutron star with k-hat from 0.49 to 0.66."""
 _ROUNDS = (4, 8, 12)
 """Draws of a round for each particle."""
 
@@ -97,10 +100,10 @@ def _weighted(log_weights: Floats, count: int) -> Weighted:
         return Weighted(np.zeros(len(log_weights)), -np.inf, np.inf, 0.0, np.inf)
     weights = np.exp(log_weights - top)
     total, squares = float(weights.sum()), float(np.sum(weights**2))
-    error = np.sqrt(max(0.0, squares / total**2 - 1.0 / count))
-    outside = np.concatenate([weights, np.zeros(count - len(weights))])
-    evidence = float(top + np.log(total / count))
-    return Weighted(weights / total, evidence, float(error), total**2 / squares, pareto_k(outside))
+    k_hat = pareto_k(np.concatenate([weights, np.zeros(count - len(weights))]))
+    error = float(np.sqrt(max(0.0, squares / total**2 - 1.0 / count)))
+    error *= _SLOWLY if k_hat > FINITE else 1.0
+    return Weighted(weights / total, float(top + np.log(total / count)), error, total**2 / squares, k_hat)
 
 
 def adapted(evaluate: Evaluator, points: Floats, particles: int, random: np.random.Generator) -> Proposal:

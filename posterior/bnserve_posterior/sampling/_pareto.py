@@ -8,6 +8,8 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 BELIEVED = 0.7
 """Up to this k-hat an estimate by importance sampling is reliable (Vehtari et al. 2024)."""
+FINITE = 0.5
+"""Up to this k-hat the variance of the weights is finite."""
 _SMALLEST_TAIL = 5
 _PRIOR_POINTS, _PRIOR_MEAN = 10.0, 0.5
 """A weak prior on the shape, as the authors have it: ten points that say one half."""
