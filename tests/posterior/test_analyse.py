@@ -2,6 +2,7 @@
 
 import json
 import re
+import resource
 import signal
 import subprocess
 import sys
@@ -11,6 +12,8 @@ import bilby
 import numpy as np
 import pytest
 
+from bnserve_posterior.events import OutputSection
+from bnserve_posterior.running import Folder
 from bnserve_service.cli import main
 from tests.posterior.networks import TOML
 
@@ -162,3 +165,41 @@ def test_a_folder_that_cannot_be_written_is_said_before_the_work(event, capsys, 
     (tmp_path / "file").write_text("")
     assert main(["analyse", str(event), "--output", str(tmp_path / "file" / "run")]) == 2
     assert "Cannot write to" in capsys.readouterr().err
+
+
+def test_a_disk_that_is_full_is_said_and_what_was_finished_is_kept(finished, tmp_path):
+    folder, _, path, _ = finished
+
+    def little_room():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (150_000, 150_000))  # bytes: less than what draws take
+
+    full = subprocess.run(
+        command(path, tmp_path / "run"), capture_output=True, text=True, preexec_fn=little_room, check=False
+    )
+    assert full.returncode == 2
+    assert full.stderr.splitlines()[-1].startswith("bnserve: Cannot write to")
+    assert "go on with --resume" in full.stderr
+    subprocess.run(command(path, tmp_path / "run", "--resume"), capture_output=True, check=True, timeout=300)
+    assert read(tmp_path / "run").posterior.equals(read(folder).posterior)
+
+
+def test_two_processes_do_not_work_in_one_folder(event, capsys, tmp_path):
+    with Folder(OutputSection(folder=str(tmp_path / "run"))):
+        assert main(["analyse", str(event), "--check", "--resume"]) == 2
+    assert "Another process is at work" in capsys.readouterr().err
+
+
+def test_hdf5_is_read_as_json_is(finished, event, tmp_path):
+    event.write_text(event.read_text().replace("checks = 50", 'checks = 0\nformat = "hdf5"'))
+    assert main(["analyse", str(event), "--output", str(tmp_path / "run"), "--no-report", "--no-progress"]) == 0
+    (written,) = (tmp_path / "run").glob("*_result.hdf5")
+    there, here = bilby.gw.result.CBCResult.from_hdf5(str(written)), read(finished[0])
+    assert there.search_parameter_keys == here.search_parameter_keys
+    assert there.log_bayes_factor == here.log_bayes_factor
+    assert (there.posterior["chirp_mass"].to_numpy() == here.posterior["chirp_mass"].to_numpy()).all()
+
+
+def test_an_extra_that_is_missing_is_one_sentence(event, capsys, monkeypatch):
+    monkeypatch.setitem(sys.modules, "bilby", None)
+    assert main(["analyse", str(event)]) == 2
+    assert "needs the package 'bilby'" in capsys.readouterr().err

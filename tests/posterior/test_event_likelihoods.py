@@ -117,6 +117,16 @@ def test_the_distance_is_integrated_over_whatever_its_prior(prior, power):
     assert marginalised_distance(priors_of({"luminosity_distance": 40.0}, TRIGGER)[0]) is None
 
 
+def test_a_prior_of_any_mass_ratio_is_narrowed_to_what_the_model_covers(model):
+    _, _, cube = posed(model, prior__mass_ratio=[0.0, 1.0])
+    assert analysis_ranges(cube, model.description)["mass_ratio"] == (1.0, 3.0)
+
+
+def test_a_distance_is_needed(model):
+    with pytest.raises(EventInvalid, match="give a prior of luminosity_distance"):
+        posed(model, prior__luminosity_distance=None)
+
+
 def test_a_phase_of_another_prior_cannot_be_integrated_over(model):
     with pytest.raises(EventInvalid, match="set phase_marginalisation = false"):
         posed(model, prior__phase=[0.0, 1.0])

@@ -52,6 +52,9 @@ def test_what_is_left_out_has_a_default():
         ({"detectors__H1__notches": [[60.0, 59.0]]}, "pairs of increasing frequencies"),
         ({"data__injection": {"parameters": {}}}, "leave out one of the two"),
         ({"detectors": {}}, "length >= 1"),
+        ({"data__duration": 2.0**20}, "more points than"),
+        ({"output__label": "../x"}, "beginning of a file's name"),
+        ({"output__folder": ""}, "length >= 1"),
         ({"sampler__effective": 0}, ">= 1"),
     ],
 )

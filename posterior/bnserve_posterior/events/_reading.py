@@ -16,6 +16,9 @@ from bnserve_protocol import check_table, read_table
 _WHOLE = 1e-6
 """By how much an end of the band, in steps of the grid, may differ from a whole number; as for an analysis."""
 
+_MOST_POINTS = 2.0**27
+"""Of the full grid of a detector: two gigabytes of strain."""
+
 
 def read_event(path: Path | str) -> Event:
     """Read a TOML file; files that it names are looked for beside it.
@@ -33,7 +36,7 @@ def read_event(path: Path | str) -> Event:
 def parse_event(table: dict[str, Any]) -> Event:
     """Check a configuration given as nested dictionaries; raises as :func:`read_event`."""
     event = check_table(table, Event, EventInvalid, "The event")
-    problem = next(filter(None, (*_data_problems(event.data), *_detector_problems(event))), None)
+    problem = next(filter(None, (*_data_problems(event.data), *_other_problems(event))), None)
     if problem:
         raise EventInvalid(f"The event is wrong: {problem}.")
     return event
@@ -67,11 +70,16 @@ def _data_problems(data: DataSection) -> Iterator[str]:
         steps = frequency * data.duration
         if abs(steps - round(steps)) > _WHOLE:
             yield f"[data] {name} ({frequency:g} Hz) must be a multiple of 1 / duration ({1.0 / data.duration:g} Hz)"
+    if data.duration * data.f_max > _MOST_POINTS:
+        yield f"[data] {data.duration:g} s up to {data.f_max:g} Hz are more points than {_MOST_POINTS:.3g}, gigabytes"
     if data.start_time is not None and not data.start_time < data.trigger_time < data.start_time + data.duration:
         yield "[data] trigger_time must lie inside the segment, start_time to start_time + duration"
 
 
-def _detector_problems(event: Event) -> Iterator[str]:
+def _other_problems(event: Event) -> Iterator[str]:
+    label = event.output.label
+    if label is not None and (not label or Path(label).name != label):
+        yield f"[output] label is the beginning of a file's name; got '{label[:40]}'"
     injected = event.data.injection is not None
     for name, detector in event.detectors.items():
         if injected and detector.strain:

@@ -117,7 +117,7 @@ class OutputSection(_Section, frozen=True, kw_only=True):
     """Where results are written: ``folder``, and in which of bilby's formats. ``checks``: how many samples are looked
     at with the full likelihood."""
 
-    folder: str
+    folder: Annotated[str, Meta(min_length=1)]
     label: str | None = None
     format: Literal["json", "hdf5"] = "json"
     checks: Natural = 500

@@ -17,11 +17,13 @@ def integrated_names(section: LikelihoodSection, priors: Any) -> tuple[str, ...]
     Raises
     ------
     EventInvalid
-        A phase that is to be integrated over and has another prior than a uniform one.
+        No prior of the distance, or a phase that is to be integrated over and has another prior than a uniform one.
     """
     from bilby.core.prior import Uniform
 
     found = []
+    if "luminosity_distance" not in priors:
+        raise EventInvalid("The distance is not known: give a prior of luminosity_distance, in Mpc.")
     if section.phase_marginalisation:
         prior = priors["phase"]
         if type(prior) is not Uniform or not math.isclose(prior.maximum - prior.minimum, 2.0 * math.pi):

@@ -15,6 +15,8 @@ from bnserve_protocol import LIKELIHOOD_NAMES, ModelDescription
 Floats = NDArray[np.float64]
 _MASSES = ("chirp_mass", "mass_ratio", "total_mass", "mass_1", "mass_2", "symmetric_mass_ratio")
 _OTHERS = ("chi_1", "chi_2", "lambda_1", "lambda_2")
+_LEAST_RATIO = 1e-3
+"""Of masses; no model goes so far, and a prior may begin at zero."""
 _POINT = 1e-9
 """Of a value: half of the width of the range of what is fixed."""
 
@@ -54,6 +56,9 @@ def _prior_ranges(cube: PriorCube) -> dict[str, tuple[float, float]]:
     """Of chirp mass, mass ratio (at least 1), spins and tides, and of the time."""
     ends = {name: _ends(cube.priors[name]) for name in (*cube.names, *cube.fixed) if name in cube.priors}
     masses = [name for name in _MASSES if name in ends]
+    if "mass_ratio" in ends:
+        low, high = ends["mass_ratio"]
+        ends["mass_ratio"] = max(low, _LEAST_RATIO), max(high, _LEAST_RATIO)
     corners = np.array(list(itertools.product(*(ends[name] for name in masses)))).T
     found = derived_parameters(dict(zip(masses, corners, strict=True)))
     ranges: dict[str, tuple[float, float]] = {}

@@ -52,7 +52,7 @@ def priors_of(given: Mapping[str, PriorValue], trigger_time: float, phase: str =
     stated = {name for name, prior in found.items() if not isinstance(prior, Constraint)}
     remarks = []
     for name, text in (*_ISOTROPIC.items(), (phase, _PHASES[phase])):
-        if name not in stated and not (name == "theta_jn" and "cos_theta_jn" in stated):
+        if name not in stated:
             found[name] = parse_prior(name, text)
             remarks.append(f"The prior of {name} is {text.partition('(')[0]}: isotropic, because none was stated.")
     if "geocent_time" not in stated:

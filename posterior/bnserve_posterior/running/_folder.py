@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import fcntl
 import json
 import os
 from collections.abc import Iterator
@@ -13,7 +14,7 @@ from bnserve_posterior.events import EventInvalid, OutputExists, OutputSection
 from bnserve_posterior.likelihoods import Choice
 from bnserve_protocol import decode_analysis, encode_analysis
 
-_RUN, _ANALYSIS, _CHECKPOINT = "run.json", "analysis.msgpack", "checkpoint.npz"
+_RUN, _ANALYSIS, _CHECKPOINT, _LOCK = "run.json", "analysis.msgpack", "checkpoint.npz", "run.lock"
 
 
 class Folder:
@@ -48,13 +49,36 @@ class Folder:
             )
         try:
             if force and (path / _RUN).exists():
-                self._clear()
+                with self:
+                    self._clear()
             path.mkdir(parents=True, exist_ok=True)
             self._write(_RUN, path.joinpath(_RUN).read_bytes() if (path / _RUN).exists() else b"{}")
         except OSError as error:
             raise EventInvalid(
                 f"Cannot write to '{path}': {error.strerror}. Choose another folder in [output]."
             ) from error
+
+    def __enter__(self) -> Folder:
+        """Nobody else writes to the folder within the context.
+
+        Raises
+        ------
+        OutputExists
+            Another process is at it.
+        """
+        with self.writing():
+            self._lock = os.open(self.path / _LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o644)
+        try:
+            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError as error:
+            os.close(self._lock)
+            raise OutputExists(
+                f"Another process is at work in '{self.path}': wait for it, or name another folder in [output]."
+            ) from error
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        os.close(self._lock)
 
     def claim(self, fingerprint: str) -> None:
         """Make the folder that of one run.

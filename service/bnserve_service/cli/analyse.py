@@ -80,23 +80,23 @@ def _analyse(options: argparse.Namespace) -> int:
     if options.resume and options.force:
         raise InvalidRequest("--resume goes on with a run and --force throws it away: leave out one of the two.")
     event = events.changed_event(events.read_event(options.event), folder=options.output, seed=options.seed)
-    folder = running.Folder(event.output, resume=options.resume, force=options.force)
     model = open_model(
         event.model.name, options.store, url=event.model.url, token=options.token, purpose="A model of a server"
     )
     say = _silent if options.json else print
-    prepared = running.prepare(event, model, folder)
-    for sentence in prepared.facts:
-        say(sentence)
-    for sentence in prepared.doubts:
-        say(f"Doubtful: {sentence}")
-    if options.check:
-        return _checked(options, prepared)
-    progress = None if options.no_progress else _Progress()
-    outcome = running.run(prepared, folder, progress)
-    if progress is not None:
-        progress.end()
-    written = report.save_outcome(outcome, folder, page=not options.no_report)
+    with running.Folder(event.output, resume=options.resume, force=options.force) as folder:
+        prepared = running.prepare(event, model, folder)
+        for sentence in prepared.facts:
+            say(sentence)
+        for sentence in prepared.doubts:
+            say(f"Doubtful: {sentence}")
+        if options.check:
+            return _checked(options, prepared)
+        progress = None if options.no_progress else _Progress()
+        outcome = running.run(prepared, folder, progress)
+        if progress is not None:
+            progress.end()
+        written = report.save_outcome(outcome, folder, page=not options.no_report)
     _print_outcome(options, running.describe(outcome), written)
     return 0
 
