@@ -138,9 +138,9 @@ def around(distance: float, count: int, chirp_mass_width: float) -> LikelihoodBa
     """Binaries about as far from the signal as its posterior reaches."""
     random = np.random.default_rng(SEED)
     columns = {name: np.full(count, getattr(TRUTH, name)) for name in LIKELIHOOD_NAMES} | {
-        "distance_mpc": distance * random.uniform(0.98, 1.02, count)
+        "distance_mpc": distance * random.uniform(0.995, 1.005, count)
     }
-    for name, width in {"lambda_1": 20.0, "lambda_2": 20.0, "reference_phase": 0.02, "coalescence_time": 1e-5}.items():
+    for name, width in {"lambda_1": 5.0, "lambda_2": 5.0, "reference_phase": 5e-3, "coalescence_time": 2e-6}.items():
         columns[name] = columns[name] + width * random.standard_normal(count)
     q = columns["mass_ratio"]
     chirp_mass = TRUTH.total_mass * chirp_fraction(q) + chirp_mass_width * random.standard_normal(count)
@@ -194,7 +194,7 @@ def measured(case: str, compare: int) -> dict[str, Any]:
         "size_mb": round(analysis.nbytes / 1e6, 1),
     }
     if compare:
-        found |= compared(instrument, model, data, analysis, modes, around(distance, compare, 1e-7))
+        found |= compared(instrument, model, data, analysis, modes, around(distance, compare, 2e-8))
     return found
 
 

@@ -15,6 +15,7 @@ from bnserve_inference._building import Alignment, LikelihoodOptions
 from bnserve_inference._data import DetectorData, Faults, refuse_other_units
 from bnserve_inference._earth import sidereal_time
 from bnserve_inference._extent import heaviest, refuse_short
+from bnserve_inference._modes import leading_order
 from bnserve_protocol import (
     AnalysisInvalid,
     AnalysisKind,
@@ -61,8 +62,6 @@ class Band:
         Its frequencies.
     noise_log_likelihood
         Of no signal.
-    first
-        The place of the lowest frequency that has a weight.
     """
 
     def __init__(self, data: Sequence[DetectorData], trigger_time: float, f_min: float, f_max: float) -> None:
@@ -76,12 +75,12 @@ class Band:
         places = [detector.band(f_min, f_max) for detector in data]
         self._offset = places[0].start
         self.grid = Grid(f_min, self.duration, places[0].stop - places[0].start)
-        self.noise_log_likelihood, self.first = 0.0, self.grid.count
-        for detector in data:
-            self._look_at(detector)
+        self.noise_log_likelihood = 0.0
+        self._first = [self._look_at(detector) for detector in data]
 
-    def _look_at(self, detector: DetectorData) -> None:
-        """Refuse data that cannot be used, and take what is known of them once they were read."""
+    def _look_at(self, detector: DetectorData) -> int:
+        """Refuse data that cannot be used, and take what is known of them once they were read: the place of the lowest
+        frequency that has a weight."""
         faults, typical, total, first = Faults(detector, self.f_min, self.f_max), [], 0.0, self.grid.count
         every = -(-self.grid.count // _TYPICAL)
         for place in self.grid.pieces(PIECE):
@@ -96,7 +95,7 @@ class Band:
         faults.refuse()
         refuse_other_units(detector.name, float(np.median(np.concatenate(typical))))
         self.noise_log_likelihood -= 0.5 * total
-        self.first = min(self.first, first)
+        return first
 
     def piece(self, place: slice, time: float = 0.0) -> tuple[Complex, Floats]:
         """``4 / T conj(d) / S`` of the detectors, complex ``(D, m)``, with time zero ``time`` after the trigger, and
@@ -152,12 +151,11 @@ class Band:
         integrated = options.time_marginalisation
         if integrated is not None:
             self.check_times((integrated.minimum, integrated.maximum))
-        start = max(detector.start_time for detector in self.detectors)
-        refuse_short(
-            self.f_min + self.first / self.duration,
-            heaviest(options.prior) if chirp_mass is None else chirp_mass,
-            self.trigger_time - start + (times[1] if "coalescence_time" in options.prior else 0.0),
-        )
+        latest = self.trigger_time + (times[1] if "coalescence_time" in options.prior else 0.0)
+        mass = heaviest(options.prior) if chirp_mass is None else chirp_mass
+        for detector, first in zip(self.detectors, self._first, strict=True):
+            f = self.f_min + first / self.duration
+            refuse_short(detector.name, f, mass, latest - detector.start_time, leading_order(options.modes))
         return dataclasses.replace(options, prior={**options.prior, "coalescence_time": times})
 
     def check_times(self, times: tuple[float, float]) -> None:

@@ -31,29 +31,34 @@ def seconds_in_band(f_min: float, chirp_mass: float) -> float:
     return 5.0 / 256.0 * mass * (math.pi * mass * f_min) ** (-8.0 / 3.0)
 
 
-def refuse_short(f_min: float, chirp_mass: float, available: float) -> None:
+def refuse_short(name: str, f_min: float, chirp_mass: float, available: float, order: int = 2) -> None:
     """Refuse data that hold too little of a signal before its coalescence.
 
     Parameters
     ----------
+    name
+        Of the detector.
     f_min
-        Lowest frequency that has a weight, in Hz.
+        Lowest frequency that has a weight there, in Hz.
     chirp_mass
         Of the shortest signal, in solar masses.
     available
         Seconds from the start of the data to the latest coalescence.
+    order
+        m of the modes that are most of the signal: they pass a frequency when (2, 2) passes 2 / m times that.
 
     Raises
     ------
     AnalysisInvalid
         The signal lasts more than :data:`LONGEST_SIGNAL` times as long.
     """
-    signal = seconds_in_band(f_min, chirp_mass)
+    signal = seconds_in_band(2.0 / order * f_min, chirp_mass)
     if signal > LONGEST_SIGNAL * available:
         from_here = f_min * (signal / available) ** 0.375
         raise AnalysisInvalid(
-            f"From {f_min:g} Hz a binary of chirp mass {chirp_mass:.4g} Msun lasts {signal:.4g} s, and the data begin "
-            f"{available:.4g} s before the coalescence: what is earlier would wrap around to their end. Take longer "
-            f"data, begin the band at {from_here:.4g} Hz, or state the prior of heavier binaries.",
+            f"From {f_min:g} Hz a binary of chirp mass {chirp_mass:.4g} Msun lasts {signal:.4g} s in modes of m = "
+            f"{order}, and the data of {name} begin {available:.4g} s before the coalescence: what is earlier would "
+            f"wrap around to their end. Take longer data, begin the band at {from_here:.4g} Hz, or state the prior of "
+            "heavier binaries.",
             errors=[FieldError(reason="signal longer than the data", parameter="f_min", value=f_min)],
         )

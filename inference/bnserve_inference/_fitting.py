@@ -31,8 +31,8 @@ RELEVANT = 25.0
 _SHARE = 0.5
 """Of the bound, which what is measured may use up: binaries that were not looked at may be twice as wrong."""
 _COMPARED, _DRAWN = 64, 32
-_HELD = 4
-"""Binaries for which fine bins are held to all frequencies: a pass over the data each time."""
+_HELD = 8
+"""Modes of binaries for which fine bins are held to all frequencies, of two binaries at least and four at most."""
 _ATTEMPTS = 8
 
 
@@ -161,7 +161,8 @@ class Fitting:
         """The largest error of ln L beside the full grid, of the best binary and of those that were worst beside fine
         bins."""
         relevant, total = np.flatnonzero(compared.relevant), compared.found.total
-        rows = np.unique([compared.found.best.argmax(), *relevant[np.argsort(total[relevant])[1 - _HELD :]]])
+        others = min(max(_HELD // len(self.modes), 2), 4) - 1
+        rows = np.unique([compared.found.best.argmax(), *relevant[np.argsort(total[relevant])[-others:]]])
         errors = None if compared.errors is None else compared.errors.of(rows)
         batch = ParameterBatch(compared.batch.values[rows])
         return float(trial.compare(batch, errors, FullGrid(self.band)).total.max())

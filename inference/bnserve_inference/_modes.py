@@ -57,6 +57,13 @@ def orders(modes: Sequence[Mode]) -> tuple[int, ...]:
     return tuple(sorted({order for _, order in modes}))
 
 
+def leading_order(modes: Sequence[Mode] | None) -> int:
+    """m of the modes that are most of a signal: that of (2, 2) where there is one of its order, and the lowest
+    elsewhere."""
+    found = orders(modes) if modes else QUADRUPOLE[1:]
+    return _QUADRUPOLE_ORDER if _QUADRUPOLE_ORDER in found else found[0]
+
+
 def options_for(model: WaveformModel, modes: Sequence[Mode], **settings: Any) -> EvaluationOptions:
     """What a model is to be asked with; one that has a single mode need not know of any."""
     named = tuple(modes) if len(model.description.modes) > 1 else None

@@ -35,7 +35,9 @@ def test_the_shortest_signal_of_a_prior_is_that_of_the_heaviest_binary():
 
 @pytest.mark.parametrize("prior", [{}, {"chirp_mass": (1.18, 1.2)}, {"total_mass": (2.7, 2.8)}])
 def test_four_seconds_of_data_for_a_signal_of_165_are_refused(data, prior):
-    with pytest.raises(AnalysisInvalid, match=r"lasts .* s, and the data begin 2 s before the coalescence") as caught:
+    with pytest.raises(
+        AnalysisInvalid, match=r"lasts .* s .*, and the data of H1 begin 2 s before the coalescence"
+    ) as caught:
         full_analysis(
             short(data, 4.0), trigger_time=TRIGGER, f_min=20.0, f_max=200.0, options=LikelihoodOptions(prior=prior)
         )
@@ -55,6 +57,23 @@ def test_what_has_no_weight_need_not_fit(data):
     for index in range(len(some)):
         some = without(some, index, asd=np.where(np.arange(2049) / 4.0 < 80.0, np.inf, 1e-23))
     assert full_analysis(some, trigger_time=TRIGGER, f_min=20.0, f_max=200.0).settings.f_min == 20.0
+
+
+def test_every_detector_has_to_hold_the_signal_from_its_own_lowest_frequency_on(data):
+    settings = {"trigger_time": TRIGGER, "f_min": 60.0, "f_max": 200.0}
+    full_analysis(short(data, 16.0), **settings)
+    late = without(short(data, 16.0), 2, start_time=TRIGGER - 1.0)
+    with pytest.raises(AnalysisInvalid, match="the data of V1 begin 1 s before"):
+        full_analysis(late, **settings)
+    full_analysis(without(late, 2, start_time=TRIGGER - 1.0, f_min=150.0), **settings)
+
+
+def test_modes_that_pass_a_frequency_earlier_last_longer(data):
+    settings = {"trigger_time": TRIGGER, "f_min": 60.0, "f_max": 200.0}
+    for modes in (None, [(2, 2), (4, 4)], [(2, 1)]):
+        full_analysis(short(data, 6.0), **settings, options=LikelihoodOptions(modes=modes))
+    with pytest.raises(AnalysisInvalid, match="in modes of m = 4, and the data of H1 begin 4 s before"):
+        full_analysis(short(data, 6.0), **settings, options=LikelihoodOptions(modes=[(4, 4)]))
 
 
 def test_relative_binning_takes_the_fiducial_signal(model, data):
