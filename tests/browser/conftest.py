@@ -14,7 +14,7 @@ from tests.integration.conftest import ServerProcess, serving
 
 DESK, PHONE = (1280, 800), (390, 844)
 SIZES = {"desk": DESK, "phone": PHONE}
-WAIT = 60_000.0
+WAIT = 180_000.0
 """Milliseconds until something that does not happen counts as broken; on a busy machine pictures take a second."""
 
 

@@ -194,3 +194,10 @@ def test_the_chirp_can_be_heard(visit):
     seen.page.click("#listen")
     seen.page.wait_for_function("() => document.getElementById('listen').textContent === 'Listen'")
     assert seen.page.inner_text("#why") == ""
+
+
+def test_an_address_of_what_is_not_served_shows_what_is(visit):
+    seen = visit("/#model=nothing@9&b.model=default@stable&b.lambda_1=900&against=pinned")
+    assert seen.page.input_value("#model") == "default@2.0.0"
+    assert seen.page.input_value("#pinned select") == "default@2.0.0"
+    assert seen.page.inner_text("#why") == ""

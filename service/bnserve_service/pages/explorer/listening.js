@@ -18,7 +18,8 @@ export async function listen(state, model) {
   if (playing) { playing.stop(); return; }
   const context = new AudioContext(), { binary } = state, top = bandOf(model, binary.total_mass)[1] * (1 - 1e-9);
   const speed = speedOf(binary);
-  const plan = planStrain(LENGTH * speed, binary.total_mass, derived(binary).chirpMass, top, 12);
+  const plan = planStrain(LENGTH * speed, binary.total_mass, derived(binary).chirpMass, top,
+    model.limits.max_frequencies, 12);
   const question = { ...waveformOf(state, model), grid: plan.grid, dtype: "complex64" };
   const { content } = await ask(pathOf(model), { body: question, binary: true });
   const strain = strainOf(plan, content.h_plus.data, content.h_cross.data)[state.show];

@@ -10,7 +10,7 @@ import { compare } from "./comparison.js";
 import { fillControls, fillModes, makeControls, markErrors } from "./controls.js";
 import { tellFacts } from "./facts.js";
 import { listen } from "./listening.js";
-import { describe, keyOf, loadModels, options } from "./models.js";
+import { describe, loadModels, options, resolve } from "./models.js";
 import { tellPinned } from "./pinned.js";
 import { drawAll, makePictures } from "./pictures.js";
 import { evaluate, frequenciesOf, waveformOf } from "./questions.js";
@@ -53,6 +53,7 @@ function clear() {
 
 function fail(error) {
   if (error.status === 401) { ended(error); return; }
+  if (error.retryAfter) setTimeout(update, 1000 * error.retryAfter); // too many at once: the last of them comes later
   const errors = error.errors || [];
   markErrors(errors);
   byId("pictures").classList.add("stale");
@@ -121,7 +122,7 @@ function wire() {
   for (const tab of document.querySelectorAll("#picture-tabs [role=tab]")) tab.addEventListener("click", () => showPicture(tab));
   window.addEventListener("hashchange", () => {
     if (location.hash.slice(1) === toAddress(state)) return;
-    state = fromAddress(location.hash, state.model);
+    state = restored(state.model);
     refresh().catch(fail);
   });
   makeCode(() => ({ state, model: shownModel }), fail);
@@ -143,6 +144,13 @@ function showPicture(chosen) {
   }
 }
 
+/** The state of the address, with models that are served. */
+function restored(model) {
+  const found = fromAddress(location.hash, model);
+  for (const one of [found, found.pinned]) if (one) one.model = resolve(models, one.model);
+  return found;
+}
+
 async function start() {
   try {
     models = await loadModels();
@@ -150,7 +158,7 @@ async function start() {
     curves = await noiseCurves();
     byId("login").hidden = true;
     byId("explorer").hidden = false;
-    state ||= fromAddress(location.hash, keyOf(models.find((model) => model.name === "default") || models[0]));
+    state ||= restored("default");
     await refresh();
   } catch (error) { ended(error); }
 }

@@ -15,16 +15,23 @@ export async function loadModels() {
 
 export const keyOf = (model) => `${model.name}@${model.version}`;
 
-/** The description of `name@version` or of `name`, asked for when it is not known. */
+/** The description of `name@version`, asked for when it is not known. */
 export async function describe(key) {
-  const [name, version = "stable"] = key.split("@");
-  for (const model of described.values())
-    if (model.name === name && (model.version === version || (version === "stable" && !key.includes("@")))) return model;
+  const [name, version] = key.split("@");
+  if (described.has(key)) return described.get(key);
   const path = `v1/models/${encodeURIComponent(name)}/versions/${encodeURIComponent(version)}`;
   const model = (await ask(path)).content;
-  described.set(keyOf(model), model);
   described.set(key, model);
   return model;
+}
+
+/** The `name@version` that a text means: a label counts, and what is not served is the default model. */
+export function resolve(models, key) {
+  const [name, version = "stable"] = key.split("@");
+  const found = models.find((model) => model.name === name);
+  if (!found) return keyOf(models.find((model) => model.name === "default") || models[0]);
+  const known = found.versions.includes(version) ? version : found.labels[version];
+  return `${name}@${known || found.version}`;
 }
 
 /** The choices of a select: every version of every model, those with a label first. */

@@ -44,7 +44,8 @@ export async function evaluate(waveform, model, { window, frequencies, signal })
   const question = waveformOf(waveform, model), { binary } = waveform, path = pathOf(model);
   const post = (body) => ask(path, { body, binary: true, signal });
   const top = bandOf(model, binary.total_mass)[1] * EDGE;
-  const plan = planStrain(+window * (binary.total_mass / 2.8), binary.total_mass, derived(binary).chirpMass, top);
+  const plan = planStrain(+window * (binary.total_mass / 2.8), binary.total_mass, derived(binary).chirpMass, top,
+    model.limits.max_frequencies);
   const aligned = { ...question, parameters: { ...question.parameters, time_shift: 0 }, modes: [[2, 2]] };
   for (const name of IN_PLANE) delete aligned.parameters[name];
   const inPlane = precesses(binary);

@@ -30,12 +30,19 @@ function table(words, found) {
 /** The cards of a model's accuracy; what a model does not state is left out. */
 export function accuracyCards({ accuracy }) {
   const stated = Object.entries(WHERE).filter(([name]) => accuracy[name]);
-  if (!stated.length) return [make("p", { class: "card soft", text: "This model states no accuracy." })];
+  if (!stated.length) return [freely(accuracy)];
   const noise = accuracy.noise ? ` in the noise of ${accuracy.noise}` : "", mass = accuracy.total_mass ? `, at ${accuracy.total_mass} M☉` : "";
   const overall = make("section", { class: "card" }, make("h2", { text: "Accuracy" }),
     make("p", { class: "soft", text: `Against fresh waveforms of its generator${noise}${mass}.` }),
     ...stated.map(([name, words]) => table(words, accuracy[name])));
   return accuracy.by_parameter ? [overall, byParameter(accuracy.by_parameter)] : [overall];
+}
+
+/** What a model of somebody else's says, in its own form. */
+function freely(accuracy) {
+  const said = Object.keys(accuracy || {}).length;
+  return make("section", { class: "card" }, make("h2", { text: "Accuracy" }),
+    said ? make("pre", { tabindex: "0", text: JSON.stringify(accuracy, null, 2) }) : make("p", { class: "soft", text: "Not stated." }));
 }
 
 function byParameter(bins) {

@@ -45,7 +45,7 @@ function provenance({ provenance: known }) {
   const generator = known.generator || {};
   const rows = [
     ["generator", [generator.name, generator.version].filter(Boolean).join(" ") || "–"],
-    ["waveforms", `${(known.waveforms ?? 0).toLocaleString("en")}, ${known.failed_waveforms ?? 0} of which failed`],
+    ["waveforms", known.waveforms ? `${known.waveforms.toLocaleString("en")}, ${known.failed_waveforms ?? 0} of which failed` : "–"],
     ["data set", known.dataset_digest ? make("code", { text: known.dataset_digest }) : "–"],
     ["trained with", `bnserve ${known.bnserve ?? "–"}, Python ${known.python ?? "–"}`],
     ["commit", known.commit ? make("code", { text: known.commit }) : "–"],

@@ -16,13 +16,14 @@ export function frequencyAt(secondsBefore, chirpMass) {
   return (5 / (256 * secondsBefore)) ** 0.375 * (chirpMass * SOLAR_MASS_SECONDS) ** -0.625 / Math.PI;
 }
 
-/** What to ask for so that the last `window` seconds of a binary can be drawn: a uniform grid, and how to transform it. */
-export function planStrain(window, totalMass, chirpMass, top, modeRoom = 64) {
+/** What to ask for so that the last `window` seconds of a binary can be drawn: a uniform grid of at most `most` frequencies,
+ * and how to transform it. */
+export function planStrain(window, totalMass, chirpMass, top, most = MOST_FREQUENCIES, modeRoom = 64) {
   const lowest = Math.min(0.5 * frequencyAt(1.5 * window, chirpMass), 0.25 * top);
   const least = modeRoom * window; // modes of higher m begin earlier, and must not wrap around into the window
   const rate = 2 ** Math.ceil(Math.log2(3 * top));
   let length = 2 ** Math.ceil(Math.log2(least * rate));
-  while ((length / rate) * top > MOST_FREQUENCIES) length /= 2;
+  while ((length / rate) * top > Math.min(most, MOST_FREQUENCIES)) length /= 2;
   const step = rate / length;
   const first = Math.max(1, Math.ceil((FADE * lowest) / step)), last = Math.floor(top / step);
   return {
