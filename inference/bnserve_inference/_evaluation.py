@@ -137,11 +137,12 @@ class LocalLikelihood:
         result = np.full(len(coerced), -np.inf)
 
         def keep(rows: NDArray[np.intp], tile: Tile) -> Floats:
-            result[rows] = self._combine(tile)
-            return result[rows]
+            result[rows] = values = self._combine(tile)
+            return values
 
         status = self._by_tiles(coerced, keep)
-        result[status != RowStatus.OK] = -np.inf
+        if status.any():
+            result[status != RowStatus.OK] = -np.inf
         return LikelihoodValues(result, status)
 
     def products(self, batch: LikelihoodBatchLike) -> DetectorProducts:
