@@ -229,6 +229,7 @@ gwfish() {
         ./protocol ./model_store ./surrogate ./inference ./service ./client
     serve
     check "gwfish" env PYTHONPATH="$GWFISH" "$python" tests/programs/gwfish_fisher.py "$address"
+    check "gwfish, forecasts" env PYTHONPATH="$GWFISH" "$python" tests/programs/gwfish_forecasts.py "$address"
     PYTHONPATH=$GWFISH page docs/guides/gwfish.md
     stop
 }
