@@ -45,20 +45,17 @@ class BinWeights:
         self._starts = np.searchsorted(bins, np.arange(self._edges))
         self._at_edges = np.stack([basis.reference(model, order, basis.linear_nodes) for order in basis.orders])
 
-    def pairs(self) -> NDArray[np.float64] | Complex:
-        """Quadratic weights: ``(D, L)`` of one order, complex ``(D, P, L)`` for the pairs of several."""
+    def pairs(self) -> Complex:
+        """Quadratic weights of the pairs of orders, ``(D, P, L)``."""
 
-        def one(place: slice) -> Floats:
+        def at_once(place: slice) -> Floats:
             return np.ones((place.stop - place.start, 1))
 
         weights = self._fine.quadratic[:, :, : self._shares.shape[1]]
         detectors, pairs = weights.shape[:2]
-        found = self._of_edges(
-            weights.reshape(detectors * pairs, -1), lambda place: np.ones((place.stop - place.start, 1)), 1
-        )[:, :, 0]
+        found = self._of_edges(weights.reshape(detectors * pairs, -1), at_once, 1).reshape(detectors, pairs, -1)
         first, second = np.triu_indices(len(self._at_edges))
-        found = found.reshape(detectors, pairs, -1) / (self._at_edges[first].conj() * self._at_edges[second])
-        return found if pairs > 1 else np.ascontiguousarray(found[:, 0].real)
+        return np.ascontiguousarray(found / (self._at_edges[first].conj() * self._at_edges[second]))
 
     def raster(self, step: float, margin: int = 0) -> Floats:
         """See :class:`._weights.Weights`."""

@@ -122,7 +122,8 @@ class Fitting:
     def binned(self, basis: FiducialBasis, fine: FineBins) -> Weighted:
         """The sums of bins."""
         weights = BinWeights(basis, fine, self.model, self.arrivals)
-        return Weighted(basis, weights, weights.pairs())
+        pairs = weights.pairs()
+        return Weighted(basis, weights, pairs if len(self.modes) > 1 else np.ascontiguousarray(pairs[:, 0].real))
 
     def quadratic(self, basis: Basis) -> Floats:
         """The sums of squared moduli of a basis over the noise, ``(D, Q)``."""
