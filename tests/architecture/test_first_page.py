@@ -43,7 +43,7 @@ def test_it_begins_with_the_main_job_and_the_tests():
 @pytest.mark.parametrize("row", rows("# bnserve"), ids=lambda row: re.search(r"\w+", row).group())
 def test_its_comparisons_are_on_the_page_that_they_name(row):
     page = re.search(r"\]\((docs/[\w/]+\.md)", row).group(1)
-    assert re.search(r"`python -m benchmarks\.\w+", row)
+    assert re.search(r"`(python -m benchmarks\.\w+|bnserve analyse )", row)
     assert unknown(row, page) == []
 
 

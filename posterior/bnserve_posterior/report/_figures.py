@@ -70,9 +70,9 @@ def corner_figure(outcome: Outcome) -> Any:
     figure = corner.corner(
         np.stack(list(columns.values()), axis=1), labels=[_SHOWN[name] for name in columns], truths=truths,
         levels=(0.5, 0.9), smooth=1.0, bins=30, color=_BLUE, truth_color=_ORANGE, plot_datapoints=False,
-        plot_density=False, quantiles=(0.05, 0.5, 0.95), max_n_ticks=3, show_titles=True, title_fmt=".4g",
-        title_quantiles=(0.05, 0.5, 0.95),
-        title_kwargs={"fontsize": 10}, label_kwargs={"fontsize": 12},
+        plot_density=False, quantiles=(0.05, 0.5, 0.95), max_n_ticks=3, labelpad=0.15, show_titles=True,
+        title_fmt=".4g", title_quantiles=(0.05, 0.5, 0.95), title_kwargs={"fontsize": 10},
+        label_kwargs={"fontsize": 12},
         fig=require("matplotlib.figure", *_NEEDED).Figure(figsize=(1.9 * len(columns), 1.9 * len(columns))),
     )  # fmt: skip
     for axis in figure.axes:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 import time
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any
 
 import msgspec
@@ -97,8 +97,8 @@ class Outcome:
         ln of the ratio of the evidences with and without a signal, over the prior that the constraints leave.
     check
         Against the full likelihood; None where that is too large to be evaluated.
-    seconds
-        By what was done.
+    seconds, processor_seconds
+        By what was done, and of the processor in all; of this process alone, where a run was resumed.
     """
 
     prepared: Prepared
@@ -106,7 +106,8 @@ class Outcome:
     samples: Samples
     log_evidence: float
     check: FullCheck | None
-    seconds: dict[str, float] = field(default_factory=dict)
+    seconds: dict[str, float]
+    processor_seconds: float
 
 
 def prepare(event: Event, model: WaveformModel, folder: Folder) -> Prepared:
@@ -145,7 +146,7 @@ def run(prepared: Prepared, folder: Folder, report: Report | None = None) -> Out
     BnserveError
         As :func:`bnserve_posterior.sampling.sample`.
     """
-    event, started = prepared.event, time.perf_counter()
+    event, started, processor = prepared.event, time.perf_counter(), time.process_time()
     section = event.sampler
     settings = Settings(effective=section.effective, particles=section.particles, seed=section.seed)
     with folder.writing():
@@ -156,7 +157,7 @@ def run(prepared: Prepared, folder: Folder, report: Report | None = None) -> Out
     check = _checked(prepared, samples)
     seconds = {"sampling": sampled - started, "drawing": drawn - sampled, "checks": time.perf_counter() - drawn}
     evidence = posterior.log_evidence - prepared.cube.log_allowed()
-    return Outcome(prepared, posterior, samples, evidence, check, seconds)
+    return Outcome(prepared, posterior, samples, evidence, check, seconds, time.process_time() - processor)
 
 
 def _checked(prepared: Prepared, samples: Samples) -> FullCheck | None:

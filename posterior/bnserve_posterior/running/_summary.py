@@ -30,6 +30,7 @@ def describe(outcome: Outcome) -> dict[str, Any]:
         "likelihood": prepared.analysis.settings.kind,
         "check": None if outcome.check is None else outcome.check._asdict(),
         "seconds": {name: round(value, 2) for name, value in outcome.seconds.items()},
+        "processor_seconds": round(outcome.processor_seconds, 2),
         "facts": prepared.facts,
         "doubts": prepared.doubts,
         "versions": versions(prepared),

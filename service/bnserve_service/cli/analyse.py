@@ -136,7 +136,8 @@ def _print_outcome(options: argparse.Namespace, found: dict[str, Any], written: 
             f"{check['largest']:.2g}, ln of the evidence shifts by {check['shift']:.2g}, efficiency "
             f"{check['efficiency']:.4f}"
         )
-    print("seconds                    " + ", ".join(f"{name} {value}" for name, value in found["seconds"].items()))
+    seconds = ", ".join(f"{name} {value}" for name, value in found["seconds"].items())
+    print(f"seconds                    {seconds}; of the processor {found['processor_seconds']}")
     for path in written:
         print(f"Written: {path}")
 
