@@ -47,7 +47,11 @@ def read(folder):
 def test_the_signal_is_found_where_it_was_put(finished):
     result = read(finished[0])
     for name, value in result.injection_parameters.items():
-        if name in result.posterior and np.ptp(result.posterior[name]) > 0.0 and name not in ("reference_phase", "psi"):
+        if (
+            name in result.posterior
+            and np.ptp(result.posterior[name]) > 0.0
+            and name not in ("reference_phase", "phase", "psi")
+        ):
             low, high = np.quantile(result.posterior[name], [0.001, 0.999])
             assert low <= value <= high, name
     snr = result.posterior["network_optimal_snr"]
@@ -64,7 +68,7 @@ def test_bilby_reads_the_result(finished):
     assert len(result.posterior) == printed["effective_samples"] >= 500
     assert result.interferometers == ["H1", "L1"]
     assert isinstance(result.priors["luminosity_distance"], bilby.core.prior.PowerLaw)
-    assert {"luminosity_distance", "reference_phase", "mass_1", "H1_matched_filter_snr"} <= {*result.posterior}
+    assert {"luminosity_distance", "reference_phase", "phase", "mass_1", "H1_matched_filter_snr"} <= {*result.posterior}
     assert result.meta_data["bnserve"]["digests"]["model"].startswith("sha256:")
     assert np.isfinite(result.posterior["log_prior"]).all()
 

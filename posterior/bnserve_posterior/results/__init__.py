@@ -1,7 +1,15 @@
 """What a run leaves: samples with everything that was integrated over, checks, and the result as bilby's."""
 
 from bnserve_posterior.results._checks import FullCheck, check_with_full
-from bnserve_posterior.results._samples import Samples, samples_of_posterior
+from bnserve_posterior.results._samples import Samples, orbital_phase, samples_of_posterior
 from bnserve_posterior.results._writing import bilby_result, save_result
 
-__all__ = ["FullCheck", "Samples", "bilby_result", "check_with_full", "samples_of_posterior", "save_result"]
+__all__ = [
+    "FullCheck",
+    "Samples",
+    "bilby_result",
+    "check_with_full",
+    "orbital_phase",
+    "samples_of_posterior",
+    "save_result",
+]

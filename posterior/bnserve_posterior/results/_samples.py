@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from bnserve_posterior.priors import PriorCube, derived_parameters
 from bnserve_posterior.sampling import Posterior
-from bnserve_protocol import Likelihood, LikelihoodBatch
+from bnserve_protocol import EvaluationOptions, Likelihood, LikelihoodBatch, WaveformModel, turn_to_reference
 
 Floats = NDArray[np.float64]
 _SEED = 21
@@ -43,7 +43,13 @@ class Samples:
 
 
 def samples_of_posterior(
-    posterior: Posterior, cube: PriorCube, likelihood: Likelihood, integrated: Sequence[str], seed: int
+    posterior: Posterior,
+    cube: PriorCube,
+    likelihood: Likelihood,
+    integrated: Sequence[str],
+    seed: int,
+    model: WaveformModel,
+    reference_frequency: float,
 ) -> Samples:
     """As many samples as the posterior is worth.
 
@@ -59,6 +65,8 @@ def samples_of_posterior(
         bilby's names of what it integrates over.
     seed
         Of the draws.
+    model, reference_frequency
+        Makes the waveforms; ``phase`` is the orbital one when the signal passes this frequency, in Hz.
     """
     random = np.random.default_rng([_SEED, seed])
     chosen = posterior.draw(int(posterior.effective), seed)
@@ -74,9 +82,18 @@ def samples_of_posterior(
         if "luminosity_distance" in integrated:
             values["luminosity_distance"] = whole["distance_mpc"]
     values["reference_phase"] = np.mod(whole["reference_phase"], 4.0 * np.pi)
+    values["phase"] = orbital_phase(model, whole, reference_frequency)
     values["geocent_time"] = cube.trigger_time + values.pop("coalescence_time")
     values |= likelihood.products(whole).columns()
     return Samples(derived_parameters(values), batch, whole, posterior.log_likelihood[chosen])
+
+
+def orbital_phase(model: WaveformModel, batch: LikelihoodBatch, frequency: float) -> Floats:
+    """bilby's ``phase``, ``(N,)`` in [0, 2 pi): that of the orbit when the (2, 2) mode passes a frequency (Hz)."""
+    options = EvaluationOptions(modes=((2, 2),), alignment="merger", out_of_domain="flag")
+    found = model.predict_amplitude_phase([frequency], batch.waveform_batch(reference_phase=0.0), options=options)
+    turn = turn_to_reference(found.phase[:, 0])
+    return np.asarray(np.mod(0.5 * (batch["reference_phase"] - turn), 2.0 * np.pi))
 
 
 def _column(name: str) -> int:

@@ -152,7 +152,9 @@ def run(prepared: Prepared, folder: Folder, report: Report | None = None) -> Out
     with folder.writing():
         posterior = sample(prepared.problem(), settings, checkpoint=folder.checkpoint, progress=report)
     sampled = time.perf_counter()
-    samples = samples_of_posterior(posterior, prepared.cube, prepared.bound, prepared.integrated, section.seed)
+    samples = samples_of_posterior(
+        posterior, prepared.cube, prepared.bound, prepared.integrated, section.seed, prepared.model, event.data.f_min
+    )
     drawn = time.perf_counter()
     check = _checked(prepared, samples)
     seconds = {"sampling": sampled - started, "drawing": drawn - sampled, "checks": time.perf_counter() - drawn}
