@@ -176,6 +176,13 @@ def test_values_appear_under_the_pointer(visit):
     assert "(3, 3)" in values
 
 
+def test_values_stay_where_a_finger_was(visit):
+    seen = visit(size="phone")
+    box = seen.page.locator("#strain-picture canvas").bounding_box()
+    seen.page.touchscreen.tap(box["x"] + 0.5 * box["width"], box["y"] + 0.5 * box["height"])
+    assert re.match(r"−0.0[\d.]+ s", seen.page.inner_text("#strain-picture .values"))
+
+
 def test_a_picture_is_a_file(visit, tmp_path):
     seen = visit()
     with seen.page.expect_download() as download:

@@ -9,7 +9,7 @@ export function hover(plot) {
   plot.holder.append(rule, card);
   const hide = () => { rule.hidden = card.hidden = true; };
   plot.moved = hide;
-  plot.canvas.addEventListener("pointerleave", hide);
+  plot.canvas.addEventListener("pointerleave", (event) => { if (event.pointerType !== "touch") hide(); }); // a finger covers them
   plot.canvas.addEventListener("pointermove", (event) => show(event.offsetX));
   plot.canvas.addEventListener("pointerdown", (event) => show(event.offsetX));
 
