@@ -40,6 +40,8 @@ PICTURES = {
     ("docs", "phone", "dark"): "docs",
 }
 """Page, size and theme: the address below that of the server."""
+WAIT = 180_000.0
+"""Milliseconds, for a busy machine."""
 COLOURS = 256
 """Of one picture, which makes it half as large; fewer are seen in the lines."""
 
@@ -48,9 +50,10 @@ def take(browser: Browser, address: str, size: str, theme: str) -> Image.Image:
     """What a visitor sees."""
     width, height = SIZES[size]
     context = browser.new_context(viewport={"width": width, "height": height}, color_scheme=theme)  # type: ignore[arg-type]
+    context.set_default_timeout(WAIT)
     page = context.new_page()
     page.goto(address)
-    page.wait_for_function("() => document.documentElement.dataset.drawn", timeout=60_000)
+    page.wait_for_function("() => document.documentElement.dataset.drawn")
     if size == "phone" and theme == "dark" and "mass_ratio" in address:
         page.fill("#n-lambda_1", "9000")  # what an error looks like
     page.wait_for_timeout(15_000 if address.endswith("/state") else 500)  # the state has a past to show
@@ -78,17 +81,19 @@ def main() -> None:
     """Take them all."""
     log, ended = Path(tempfile.mkdtemp()) / "server.log", threading.Event()
     with serving(log) as server, sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
         asking = threading.Thread(target=ask_now_and_then, args=(server.address, ended))
         asking.start()
-        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=["--no-sandbox"])
-        for (name, size, theme), path in PICTURES.items():
-            target = IMAGES / f"page-{name}-{size}-{theme}.png"
-            taken = take(browser, f"{server.address}/{path}", size, theme)
-            taken.convert("RGB").quantize(COLOURS, kmeans=2, dither=Image.Dither.NONE).save(target, optimize=True)
-            print(f"{target.name}: {target.stat().st_size:,} bytes")
-        browser.close()
-        ended.set()
-        asking.join()
+        try:
+            for (name, size, theme), path in PICTURES.items():
+                target = IMAGES / f"page-{name}-{size}-{theme}.png"
+                taken = take(browser, f"{server.address}/{path}", size, theme).convert("RGB")
+                taken.quantize(COLOURS, kmeans=2, dither=Image.Dither.NONE).save(target, optimize=True)
+                print(f"{target.name}: {target.stat().st_size:,} bytes")
+        finally:
+            ended.set()
+            asking.join()
+            browser.close()
 
 
 if __name__ == "__main__":
