@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from bilby.core.utils import random
+from bilby.core import utils
 from bilby.gw.conversion import convert_to_lal_binary_neutron_star_parameters
 from bilby.gw.detector import InterferometerList
 from bilby.gw.likelihood import GravitationalWaveTransient
@@ -177,7 +177,7 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
         numbers (``bilby.core.utils.random``) is behind them.
         """
         columns, binary = self._columns_and_binaries(samples)
-        uniforms = random.rng.random((len(columns["mass_ratio"]), 4))
+        uniforms = _uniforms(len(columns["mass_ratio"]), 4)
         drawn = self._bound.draw_marginalised(columns, seed=uniforms[:, :3].copy()).parameters
         found = {}
         if "coalescence_time" in drawn:  # over a time that is the merger's, without a shift
@@ -259,3 +259,11 @@ class ServiceLikelihood(GravitationalWaveTransient):  # type: ignore[misc]  # bi
 
 def _is_number(value: Any) -> bool:
     return np.asarray(value).dtype.kind in "fiub"
+
+
+def _uniforms(*shape: int) -> Floats:
+    """Numbers between 0 and 1 by bilby's generator, which is numpy's own in its oldest releases."""
+    generator = getattr(utils, "random", None)
+    if generator is None:
+        return np.asarray(np.random.random_sample(shape))  # what these releases seed
+    return np.asarray(generator.rng.random(shape))
