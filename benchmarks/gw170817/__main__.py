@@ -21,7 +21,6 @@ from typing import Any
 from benchmarks.gw170817 import results, setting
 from benchmarks.gw170817.analyses import kept
 from benchmarks.gw170817.drawing import draw_corner
-from benchmarks.gw170817.marginals import Shown, physical
 from benchmarks.gw170817.priors import UnitCube
 from benchmarks.gw170817.sampling import Sampled, sample_event
 from benchmarks.servers import bnserve_server
@@ -85,7 +84,7 @@ def run(options: argparse.Namespace) -> int:
             found |= {"kind": kind} | summary if kind == options.kind else {kind: summary}
         posteriors = {kind: each.posterior for kind, each in sampled.items()}
         if options.sample_only:
-            shown = {kind: Shown(physical(cube(each.points)), each.weights) for kind, each in posteriors.items()}
+            shown = {kind: results.of_posterior(each, cube) for kind, each in posteriors.items()}
         else:
             checked, shown = results.check(posteriors, event, local, model, cube, options)
             found |= checked

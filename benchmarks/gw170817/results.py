@@ -46,6 +46,12 @@ def summary(sampled: Sampled, cube: UnitCube) -> dict[str, Any]:
     }
 
 
+def of_posterior(posterior: Posterior, cube: UnitCube) -> Shown:
+    """What is shown of it: as many draws as it is worth, so that what weighs nothing stretches no axis."""
+    batch = cube(posterior.points[posterior.draw(int(posterior.effective))])
+    return Shown(physical(batch), np.full(len(batch), 1.0 / len(batch)))
+
+
 def check(
     posteriors: Mapping[str, Posterior],
     event: setting.Event,
@@ -82,7 +88,7 @@ def check(
         found |= {"calibration_checks": len(arrays["calibration"])}
         found |= _compared("calibration_envelopes", arrays["calibration"], sampled[some])
     np.savez(options.work / first / "draws.npz", allow_pickle=False, **arrays)
-    shown = {kind: Shown(physical(cube(each.points)), each.weights) for kind, each in posteriors.items()}
+    shown = {kind: of_posterior(each, cube) for kind, each in posteriors.items()}
     for kind in (OTHER[first], "full"):
         if kind not in shown:
             shown[kind] = Shown(physical(batch), checks.reweighted(arrays[kind], sampled)[0])

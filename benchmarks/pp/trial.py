@@ -36,7 +36,7 @@ NAMES = (
 """What is sampled; the place in the sky is fixed, phase and distance are integrated over."""
 PLACE = {"right_ascension": 3.44616, "declination": -0.408084}
 DISTANCES, TIMES = (12.0, 30.0), (-0.01, 0.01)
-SETTINGS = Settings(particles=1000, effective=3000)
+SETTINGS = Settings(particles=600, effective=3000)
 """Ranks of a hundred injections need no more."""
 _TRIES = 4
 PERIODIC = (NAMES.index("polarization_angle"),)
