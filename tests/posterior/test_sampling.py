@@ -50,7 +50,7 @@ def test_eleven_dimensions_heavy_tails_and_two_modes():
     assert abs(found.weights[nearest == 0].sum() - 0.7) < 0.03
     far = distances[0] > 11.0 * f_distribution.isf(0.02, 11, FREEDOM)
     first = nearest == 0
-    assert 0.013 < found.weights[first & far].sum() / found.weights[first].sum() < 0.027
+    assert 0.008 < found.weights[first & far].sum() / found.weights[first].sum() < 0.035
 
 
 def test_the_tails_of_the_spins_are_there():

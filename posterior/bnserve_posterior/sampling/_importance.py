@@ -88,10 +88,13 @@ def weighted(draws: Draws) -> Weighted:
     return _weighted(draws.values - mean, int(draws.counts.sum()))
 
 
-def weighted_alone(draws: Draws, origin: int) -> Weighted:
-    """What the draws from one proposal say."""
-    mine = draws.origins == origin
-    return _weighted(draws.values[mine] - draws.densities[origin, mine], int(draws.counts[origin]))
+def of_origin(draws: Draws, origin: int) -> Draws:
+    """The draws from one proposal, as if there were no other."""
+    mine, only = draws.origins == origin, slice(origin, origin + 1)
+    return Draws(
+        draws.points[mine], draws.values[mine], np.zeros(mine.sum(), dtype=np.int64), draws.densities[only, mine],
+        draws.counts[only],
+    )  # fmt: skip
 
 
 def _weighted(log_weights: Floats, count: int) -> Weighted:

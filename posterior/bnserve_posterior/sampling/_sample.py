@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import combinations
 from pathlib import Path
 
 import numpy as np
@@ -21,7 +22,7 @@ DEFAULTS = Settings()
 _STARTS = 2
 """Populations that know nothing of each other."""
 _ATTEMPTS = 4
-"""So often proposals are fitted at most; after the first time, to the draws of the time before."""
+"""So often proposals are fitted at most; after the first time, each to its own draws of the time before."""
 _ROUND, _JUDGED = 4, 4
 """Draws of a round from each proposal for each particle; after so many rounds weights are judged, after twice as many
 where proposals were fitted anew: there is more to fit to the next time."""
@@ -158,32 +159,32 @@ class _Run:
     def objection(self, found: Weighted) -> str | None:
         """What is wrong with the draws, or None."""
         assert self.state.draws is not None
-        (one, one_error), (other, other_error) = self.alone()
         if found.k_hat > BELIEVED:
             return f"The largest importance weights have a Pareto shape of {found.k_hat:.2f}, above {BELIEVED}."
         if found.effective < self.settings.effective:
             drawn = int(self.state.draws.counts.sum())
             return f"{drawn} draws are worth {found.effective:.0f} of {self.settings.effective} effective samples."
-        if abs(one - other) > _SIGMAS * np.hypot(one_error, other_error):
-            return (
-                f"Two runs give the ln of the evidence as {one:.3f} +- {one_error:.3f} and {other:.3f} +- "
-                f"{other_error:.3f}."
-            )
+        together = found.log_evidence, found.log_evidence_error  # more than either, if each has peaks of its own
+        evidences = [*self.alone(), together]
+        for (one, one_error), (other, other_error) in combinations(evidences, 2):
+            if abs(one - other) > _SIGMAS * np.hypot(one_error, other_error):
+                said = ", ".join(f"{value:.3f} +- {error:.3f}" for value, error in evidences)
+                return f"The ln of the evidence by two runs, and by both together, is {said}."
         return None
 
     def alone(self) -> tuple[tuple[float, float], ...]:
         """ln of the evidence and its error, by each proposal."""
         assert self.state.draws is not None
-        found = [_importance.weighted_alone(self.state.draws, start) for start in range(_STARTS)]
+        found = [_importance.weighted(_importance.of_origin(self.state.draws, start)) for start in range(_STARTS)]
         return tuple((each.log_evidence, each.log_evidence_error) for each in found)
 
     def refit(self) -> None:
-        """Fit the proposals to all draws, and begin to draw anew."""
-        state, draws = self.state, self.state.draws
+        """Fit each proposal to its own draws, and begin to draw anew; none tells the other what it missed."""
+        state, draws, problem = self.state, self.state.draws, self.evaluate.problem
         assert draws is not None
         random = self.random(_STARTS + state.attempt, -1)
-        problem = self.evaluate.problem
-        state.proposals = [_importance.refitted(problem, draws, random) for _ in state.proposals]
+        own = [_importance.of_origin(draws, start) for start in range(_STARTS)]
+        state.proposals = [_importance.refitted(problem, each, random) for each in own]
         state.attempt, state.draws = state.attempt + 1, None
         self.keep(Progress("proposals again", state.attempt, 1.0, np.nan, np.nan, self.evaluate.likelihoods))
 
