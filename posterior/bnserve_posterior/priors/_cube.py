@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection
+from collections.abc import Collection
 from typing import Any
 
 import numpy as np
@@ -108,7 +108,7 @@ class PriorCube:
                 good &= (derived[name] >= prior.minimum) & (derived[name] <= prior.maximum)
         return good
 
-    def log_allowed(self, possible: Callable[[dict[str, Floats]], NDArray[np.bool_]] | None = None) -> float:
+    def log_allowed(self) -> float:
         """ln of the part of the cube that the constraints allow, by which the evidence is larger than over the cube.
 
         Raises

@@ -47,6 +47,7 @@ def run(options: argparse.Namespace) -> int:
     for name in _THREADS:  # before numpy: batches are large enough for one thread to be busy
         os.environ.setdefault(name, "1")
     stopped = _Stopped()
+    before = signal.signal(signal.SIGTERM, stopped)
     try:
         return _analyse(options)
     except KeyboardInterrupt:
@@ -54,16 +55,16 @@ def run(options: argparse.Namespace) -> int:
             f"\nStopped. What is finished is kept: `bnserve analyse {options.event} --resume` goes on.", file=sys.stderr
         )
         return 128 + stopped.number
+    finally:
+        signal.signal(signal.SIGTERM, before or signal.SIG_DFL)
 
 
 class _Stopped:
     """SIGTERM ends a run as SIGINT does; ``number`` is that of the one that came."""
 
-    def __init__(self) -> None:
-        self.number = int(signal.SIGINT)
-        signal.signal(signal.SIGTERM, self._end)
+    number = int(signal.SIGINT)
 
-    def _end(self, number: int, frame: FrameType | None) -> NoReturn:
+    def __call__(self, number: int, frame: FrameType | None) -> NoReturn:
         self.number = number
         raise KeyboardInterrupt
 
