@@ -126,6 +126,7 @@ class Band:
         data, densities = np.empty(count, dtype=np.complex128), np.empty(count)
         for place in self.grid.pieces(PIECE):
             data[:, place], densities[:, place] = self.piece(place)
+        data.flags.writeable = densities.flags.writeable = False  # an analysis copies what can be changed
         return data, densities
 
     def timed(self, options: LikelihoodOptions, chirp_mass: float | None = None) -> LikelihoodOptions:

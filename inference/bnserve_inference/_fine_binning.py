@@ -10,7 +10,8 @@ from bnserve_inference._band import Band
 from bnserve_inference._cells import POINTS, Cells
 from bnserve_inference._fiducial import FiducialBasis, spread
 from bnserve_inference._fine_bins import FineBins
-from bnserve_protocol import Calibration, ParameterBatch, WaveformModel
+from bnserve_inference._weights import LARGEST_TABLE
+from bnserve_protocol import AnalysisInvalid, Calibration, FieldError, ParameterBatch, WaveformModel
 
 Floats = NDArray[np.float64]
 
@@ -46,9 +47,9 @@ class FineBinning:
         calibration: Calibration | None,
     ) -> None:  # fmt: skip
         self._band, self._model, self._basis = band, model, basis
-        self._centre, self._radians = 0.5 * (times[0] + times[1]), _RADIANS
+        self._centre, self._width, self._radians = 0.5 * (times[0] + times[1]), times[1] - times[0], _RADIANS
         self._edges = np.geomspace(band.f_min, band.f_max, _LOG_CELLS + 1)
-        self._always = np.pi * (times[1] - times[0]) * np.diff(self._edges)
+        self._always = np.pi * self._width * np.diff(self._edges)
         if calibration is not None:  # a cell to a cell of its splines
             width = np.log(calibration.f_max / calibration.f_min) / (calibration.nodes - 1)
             self._always += _RADIANS / width * np.diff(np.log(self._edges))
@@ -62,6 +63,7 @@ class FineBinning:
             turned = np.concatenate([[0.0], np.cumsum(self._always + self._turns)])
             places = (self._edges - self._band.f_min) * self._band.duration
             cells = Cells.turning(self._band.grid.count, turned, places, self._radians)
+            self._refuse_huge(len(cells.points))
             self._bins = FineBins.of(self._band, self._basis, self._model, cells, self._centre)
         return self._bins
 
@@ -82,6 +84,15 @@ class FineBinning:
     def narrow(self) -> None:
         """Make all cells finer."""
         self._radians, self._bins = 0.7 * self._radians, None
+
+    def _refuse_huge(self, points: int) -> None:
+        groups = len(self._basis.orders)
+        if 16 * points * len(self._band.detectors) * groups * (groups + 3) // 2 > LARGEST_TABLE:
+            raise AnalysisInvalid(
+                f"Arrivals over {self._width:.3g} s take {points} sums over the data of each detector, of more than "
+                f"{LARGEST_TABLE // 2**20} MiB: narrow the prior of 'coalescence_time'.",
+                errors=[FieldError(reason="too wide", parameter="coalescence_time", value=self._width)],
+            )
 
     def _turning(self, binaries: ParameterBatch) -> Floats:
         """Radians by which the fastest ratio of an order turns in each cell of the logarithmic grid."""

@@ -6,7 +6,7 @@ import tracemalloc
 import numpy as np
 import pytest
 
-from bnserve_inference import LikelihoodOptions, likelihood, relative_binning_analysis
+from bnserve_inference import LikelihoodOptions, _fine_binning, likelihood, relative_binning_analysis
 from bnserve_inference._band import Band
 from bnserve_inference._cells import POINTS, Cells, to_points
 from bnserve_inference._fiducial import FiducialBasis
@@ -96,6 +96,13 @@ def test_fine_bins_become_finer_for_what_turns_further(model, band, basis):
     lighter[:, PARAMETER_NAMES.index("total_mass")] *= 0.95
     assert fine.follow(ParameterBatch(lighter))
     assert len(fine.bins.frequencies) > before
+
+
+def test_arrivals_over_more_than_can_be_summed_are_refused(model, band, basis, monkeypatch):
+    """An hour of data with arrivals all over it: here the limit is low, and the data are not long."""
+    monkeypatch.setattr(_fine_binning, "LARGEST_TABLE", 2**18)
+    with pytest.raises(AnalysisInvalid, match="narrow the prior of 'coalescence_time'"):
+        FineBinning(band, model, basis, (-8.0, 4.0), None).bins  # noqa: B018  (made for its check)
 
 
 @pytest.fixture(scope="module")
