@@ -31,17 +31,7 @@ class Run(NamedTuple):
 
 
 class Cells:
-    """Cells of the places 0, 1, ... ``count`` - 1.
-
-    Parameters
-    ----------
-    count
-        Of all frequencies.
-    turned
-        By how much what turns fastest has turned from the first frequency to each place, ``(n,)`` for ``(n,)``,
-        increasing.
-    radians
-        Across a cell; one of :data:`POINTS` frequencies may turn further.
+    """Cells of the places 0, 1, ... ``count`` - 1, by their first places and their lengths; the last may be shorter.
 
     Attributes
     ----------
@@ -58,7 +48,8 @@ class Cells:
 
     @classmethod
     def turning(cls, count: int, turned: Floats, places: Floats, radians: float) -> Cells:
-        """Cells across which what has turned by ``turned`` at ``places`` turns by ``radians`` at most."""
+        """Cells across which what has turned by ``turned`` at ``places``, both ``(n,)``, turns by ``radians`` at
+        most; in one of :data:`POINTS` frequencies, which are its points, it may turn further."""
         starts = np.arange(0, count, _LARGEST)
         lengths = np.full(len(starts), _LARGEST)
         done: list[tuple[NDArray[np.int64], NDArray[np.int64]]] = []

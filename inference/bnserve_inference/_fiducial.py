@@ -31,7 +31,7 @@ PHASE_POWERS = (-5.0 / 3.0, -2.0 / 3.0, 1.0, 5.0 / 3.0, 7.0 / 3.0)
 """Of frequency, in the phases by which fitting waveforms differ: masses, spins, time, tides (Zackay et al., eq. 10)."""
 _FEWEST_BINS = 8
 MOST_BINS = 2048
-"""Rows of so many edges take 0.7 GB while the weights are made; a reduced-order basis takes far fewer nodes."""
+"""Cardinal splines of so many edges take 0.1 GB while they are made; a reduced-order basis takes far fewer nodes."""
 _CHUNK = 8192
 _QUADRATIC_TOLERANCE = 1.0
 """Radians of phase to a cell of the splines: some thirty nodes, dense at both ends of the band."""
