@@ -8,7 +8,7 @@ import urllib.request
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from urllib.error import URLError
+from urllib.error import HTTPError, URLError
 
 TIMEOUT = 120.0
 """Seconds until a server that is still not ready counts as broken; a cold start on a busy machine takes a few."""
@@ -27,6 +27,9 @@ def is_ready(address: str, trusted: Path | None = None) -> bool:
     try:
         with urllib.request.urlopen(f"{address}/v2/health/ready", timeout=5, context=context) as answer:
             return answer.status == 200
+    except HTTPError as error:
+        error.close()  # or Python 3.14 warns that nobody does
+        return False
     except (URLError, OSError):
         return False
 
