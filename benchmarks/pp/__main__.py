@@ -70,6 +70,7 @@ def main() -> None:
     parser.add_argument("--work", type=Path, default=Path("runs/pp"), help="finished injections")
     parser.add_argument("--injections", type=int, default=100)
     parser.add_argument("--particles", type=int, default=trial.SETTINGS.particles, help="of the sampler's populations")
+    parser.add_argument("--effective", type=int, default=trial.SETTINGS.effective, help="samples of each posterior")
     parser.add_argument(
         "--part", default="0/1", metavar="K/N", help="only every Nth, from K: N processes share the work"
     )
@@ -83,6 +84,7 @@ def main() -> None:
     missing = sorted(set(range(options.injections)) - {result["seed"] for result in results})
     part, parts = map(int, options.part.split("/"))
     missing = [seed for seed in missing if seed % parts == part]
+    settings = replace(trial.SETTINGS, particles=options.particles, effective=options.effective)
     started = time.perf_counter()
     with ExitStack() as stack:
         if missing:
@@ -92,7 +94,7 @@ def main() -> None:
         for seed in missing:
             if time.perf_counter() - started > options.seconds:
                 break
-            results.append(trial.run(seed, asds, local, model, replace(trial.SETTINGS, particles=options.particles)))
+            results.append(trial.run(seed, asds, local, model, settings))
             append(path, json.dumps(results[-1]))
             print(f"{len(results)} of {options.injections}: {results[-1]['seconds']} s", file=sys.stderr, flush=True)
     values = p_values(results)

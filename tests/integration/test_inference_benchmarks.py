@@ -45,7 +45,7 @@ def test_the_event_is_sampled_and_its_likelihoods_compared(run, bnserve_server, 
 
 @pytest.mark.slow
 def test_the_percentile_percentile_test_goes_on_where_it_was_stopped(run, bnserve_server, tmp_path):
-    arguments = ["--url", bnserve_server.address, "--work", tmp_path, "--particles", 500]
+    arguments = ["--url", bnserve_server.address, "--work", tmp_path, "--particles", 400, "--effective", 300]
     first = run(pp, *arguments, "--injections", 1)
     assert first["injections"] == first["wanted"] == 1
     with (tmp_path / "injections.jsonl").open("a") as file:
