@@ -69,6 +69,7 @@ CONVERTED = {
     "masses in kg": (SHORT, with_(total_mass=KILOGRAMS), SHORT, with_(total_mass=KILOGRAMS.to_value("Msun"))),
     "a shift in ms": (SHORT, with_(time_shift=MILLISECONDS), SHORT, with_(time_shift=MILLISECONDS.to_value("s"))),
     "pandas": (pd.Series(SHORT), with_(chi_1=pd.Series([0.1, 0.2])), SHORT, with_(chi_1=[0.1, 0.2])),
+    "a table": (SHORT, pd.DataFrame([TYPICAL, with_(chi_1=0.2)]), SHORT, with_(chi_1=[TYPICAL["chi_1"], 0.2])),
     "objects": (SHORT.astype(object), with_(chi_1=np.array([0, 0.25], object)), SHORT, with_(chi_1=[0, 0.25])),
     "a mask that hides nothing": (np.ma.array(SHORT), with_(chi_1=np.ma.array([0.1])), SHORT, with_(chi_1=[0.1])),
 }
@@ -106,7 +107,6 @@ NO_NUMBERS = {
     "a spin as text": (SHORT, TYPICAL | {"chi_1": "0.1"}, InvalidParameters, "'chi_1' must be a number"),
     "a spin that is true": (SHORT, TYPICAL | {"chi_1": True}, InvalidParameters, "truth values"),
     "no spin": (SHORT, TYPICAL | {"chi_1": None}, InvalidParameters, "NoneType"),
-    "a table": (SHORT, pd.DataFrame([TYPICAL]), InvalidParameters, "A batch is"),
 }
 
 
