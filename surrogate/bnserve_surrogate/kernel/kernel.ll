@@ -1,4 +1,4 @@
-; sources: 217f63c2d1df41d60730a6c5e42ccddcfbe0afcc4f0ff1dec23a1afd5abc5f22
+; sources: 803963890cf2c8a4e199bd46221b64a3f340cdbd20991c19187df34e68743c9e
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
