@@ -31,9 +31,12 @@ def server(tmp_path_factory) -> Iterator[ServerProcess]:
         yield it
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def browser() -> Iterator[Browser]:
-    """Debian's Chromium, without a window."""
+    """Debian's Chromium, without a window.
+
+    Of one file: while it is there an event loop counts as running in this thread, and tests of asyncio have their own.
+    """
     program = shutil.which("chromium")
     assert program, "chromium is not installed (tests/run.sh does)"
     with sync_playwright() as playwright:

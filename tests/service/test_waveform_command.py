@@ -136,7 +136,7 @@ def test_names_of_other_programs(waveform, given, becomes):
 @pytest.mark.parametrize(
     ("given", "says"),
     [
-        (["--phase", 1], "reference_phase is a phase of the (2, 2) mode"),
+        (["--phase", 1], "reference_phase is twice that of the orbit"),
         (["--geocent_time", 1], "time_shift moves a waveform"),
         (["--mass-1", 1.4], "total_mass = mass_1 + mass_2"),
         (["--mass-ratio", 5], "The model was not trained on this binary. mass_ratio = 5.0: outside [1, 3]."),

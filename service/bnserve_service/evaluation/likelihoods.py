@@ -151,10 +151,7 @@ class Likelihoods(Kind[LikelihoodQuestion]):
             model=model,
             batch=batch,
             key=(id(model), analysis.digest, batch.absent, nodes, output),
-            cost=min(
-                len(batch) * (samples * _unnamed_modes(analysis, model) * _WORK[output] + ROW_COST) + REQUEST_COST,
-                self._limits.queue_samples // 2,  # in whatever pieces, each of which costs a request, it fits
-            ),
+            cost=self._cost(len(batch), samples * _unnamed_modes(analysis, model), output),
             answer_bytes=len(batch) * _bytes_per_row(analysis, output),
             answer_type=request.answer_type,
             digest=request.digest,
@@ -162,6 +159,12 @@ class Likelihoods(Kind[LikelihoodQuestion]):
             output=output,
             uniforms=asked.uniforms,
         )
+
+    def _cost(self, rows: int, samples: int, output: LikelihoodOutput) -> int:
+        """Of rows; what asks for more than likelihoods counts as no more than fits into the queue, in whatever pieces,
+        each of which costs a request."""
+        cost = rows * (samples * _WORK[output] + ROW_COST) + REQUEST_COST
+        return cost if output == "log_likelihood" else min(cost, self._limits.queue_samples // 2)
 
     def evaluate(self, questions: Sequence[LikelihoodQuestion]) -> Arrays:
         """``log_likelihood`` and ``status``, and what else all ask for."""
