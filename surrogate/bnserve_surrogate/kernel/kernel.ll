@@ -3,9 +3,6 @@
 ; ModuleID = '<string>'
 source_filename = "<string>"
 
-@.const.pickledata.b28008a0f88bad5ff0f0243e84dab90cab19b366 = internal constant [69 x i8] c"\80\04\95:\00\00\00\00\00\00\00\8C\08builtins\94\8C\11ZeroDivisionError\94\93\94\8C\10division by zero\94\85\94N\87\94."
-@.const.pickledata.b28008a0f88bad5ff0f0243e84dab90cab19b366.sha1 = internal constant [20 x i8] c"\B2\80\08\A0\F8\8B\AD_\F0\F0$>\84\DA\B9\0C\AB\19\B3f"
-@.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366 = internal constant { ptr, i32, ptr, ptr, i32 } { ptr @.const.pickledata.b28008a0f88bad5ff0f0243e84dab90cab19b366, i32 69, ptr @.const.pickledata.b28008a0f88bad5ff0f0243e84dab90cab19b366.sha1, ptr null, i32 0 }
 
 ; Function Attrs: nofree norecurse nounwind
 define noundef range(i32 0, 2) i32 @bnserve_evaluate(ptr noalias writeonly captures(none) %retptr, ptr noalias writeonly captures(none) %excinfo, ptr readonly captures(none) %arg.arguments) local_unnamed_addr #0 {
@@ -6140,7 +6137,7 @@ B134.if.i:                                        ; preds = %B134.if.i, %B134.if
 
 _ZN17bnserve_surrogate6kernel7_series8legendreB4v196B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B872
   %.1339.0 = phi double [ 0.000000e+00, %B872 ], [ %.488.i, %B134.if.i ]
-  %excinfo.7.0 = phi ptr [ @.const.picklebuf.b28008a0f88bad5ff0f0243e84dab90cab19b366, %B872 ], [ null, %B134.if.i ]
+  %excinfo.7.0 = phi ptr [ null, %B872 ], [ null, %B134.if.i ]
   br i1 %.168.i.i, label %B872.endif, label %B872.if, !prof !0
 
 B944:                                             ; preds = %B872.endif, %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v195B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B848
