@@ -79,6 +79,10 @@ def _from_text(file: Path) -> dict[str, Floats]:
     comma = "," in header
     names = [name.strip() for name in (header.split(",") if comma else header.split())]
     values = np.loadtxt(file, delimiter="," if comma else None, skiprows=1, ndmin=2)
+    if values.shape[1] != len(names):
+        raise ValueError(f"its first line names {len(names)} columns, and there are {values.shape[1]}.")
+    if twice := {name for name in names if names.count(name) > 1}:
+        raise ValueError(f"its first line names '{min(twice)[:80]}' twice.")
     return dict(zip(names, values.T, strict=True))
 
 
@@ -123,6 +127,11 @@ def as_samples(columns: Mapping[str, Floats], trigger_time: float | None = None)
             errors=[FieldError(reason="missing", parameter="geocent_time")],
         )
     phase = next((given.pop(name) for name in ("phase", "reference_phase") if name in given), 0.0)
+    if not np.isfinite(times).all():
+        raise AnalysisInvalid(
+            f"Binary {int(np.argmin(np.isfinite(times)))} of the catalogue has no time that is a number.",
+            errors=[FieldError(reason="not finite", parameter="geocent_time")],
+        )
     start = float(np.floor(times.min())) if trigger_time is None else trigger_time
     spins = {name: 0.0 * times for name in ("chi_1", "chi_2") if name not in given and f"a_{name[-1]}" not in given}
     named = convert(given) | spins | {"coalescence_time": times - start, "reference_phase": phase + 0.0 * times}

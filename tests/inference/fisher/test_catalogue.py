@@ -70,7 +70,15 @@ def test_what_is_no_catalogue_is_refused(tmp_path):
         read_population(file)
     with pytest.raises(AnalysisInvalid, match="missing"):
         read_population(tmp_path / "missing.h5")
+    file.write_text("mass_1,mass_2\n1,2,3\n")
+    with pytest.raises(AnalysisInvalid, match="names 2 columns, and there are 3"):
+        read_population(file)
+    file.write_text("mass_1,mass_1\n1,2\n")
+    with pytest.raises(AnalysisInvalid, match="'mass_1' twice"):
+        read_population(file)
     columns = {name: np.array(column) for name, column in COLUMNS.items()}
+    with pytest.raises(AnalysisInvalid, match="Binary 1 of the catalogue has no time"):
+        as_samples(columns | {"geocent_time": np.array([1.7e9, np.nan, 1.7e9])})
     with pytest.raises(AnalysisInvalid, match="'geocent_time' in GPS seconds"):
         as_samples({name: column for name, column in columns.items() if name != "geocent_time"})
     with pytest.raises(InvalidParameters, match="mass_l"):
