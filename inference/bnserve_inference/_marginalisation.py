@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -12,9 +14,21 @@ from bnserve_protocol import AnalysisInvalid, DistanceMarginalisation, FieldErro
 
 Floats = NDArray[np.float64]
 
-_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(64)
+
+class _Rule(NamedTuple):
+    """Places in [-1, 1] and their weights, which sum to two."""
+
+    nodes: Floats
+    weights: Floats
+
+
+_GAUSS = _Rule(*np.polynomial.legendre.leggauss(64))
 _DEPTH = 40.0
 """Where the integrand is below its maximum by exp(-40), nothing is left to integrate."""
+_STEP = 0.9
+"""Standard deviations: equal steps leave 2 exp(-2 pi^2 / 0.9^2) of the integral of a normal distribution, 5e-11."""
+_NARROW = 1.5
+"""Ratio of the ends of what matters, below which it is a normal distribution to these steps."""
 _WIDEST_PIECE = 32.0
 """Ratio of the ends of a piece: the nodes follow the power of u, which has a pole at zero, to rounding."""
 _FLAT = 1e-6
@@ -65,8 +79,8 @@ class DistanceIntegral:
 
     At distance D the products are those at ``reference`` times u = reference / D, and u^2: the exponent is a parabola
     in u (to which ln I0 comes close), times a power of u. It is integrated by 64 Gauss-Legendre nodes where it matters,
-    or, where that is a wide range of u, by as many on each of several pieces: nothing is tabulated, no signal is too
-    loud, and none too weak.
+    or, where that is a wide range of u, by as many on each of several pieces, or, of a loud signal inside the prior, by
+    some 24 equal steps: nothing is tabulated, no signal is too loud, and none too weak.
 
     Attributes
     ----------
@@ -85,6 +99,8 @@ class DistanceIntegral:
         # What is left out has that much more, or less, of the prior.
         self._depth = _DEPTH + abs(power) * ratio + self._prior.spread
         self.factors = Distances(*self._ends, self._depth - _DEPTH)
+        steps = int(np.ceil(2.0 * np.sqrt(2.0 * self._depth) / _STEP))
+        self._steps = _Rule(np.linspace(-1.0, 1.0, steps + 1), np.full(steps + 1, 2.0 / steps))
         self._log_norm = self._prior.log_norm
         nothing = float(self.log_likelihood(np.zeros(1), np.zeros(1), False)[0])
         if not abs(nothing) <= _NORM_TOLERANCE:
@@ -135,13 +151,17 @@ class DistanceIntegral:
         start, stop = self._window(products, norms)
         widths = np.log(stop / start) / np.log(_WIDEST_PIECE)
         pieces = np.ceil(np.where(np.isfinite(widths), np.maximum(widths, 1.0), 1.0)).astype(np.int64)
+        inside = (start > self._ends[0]) & (stop < self._ends[1])
+        loud = inside & (stop < _NARROW * start)
         result = np.full(len(products), -np.inf)
-        for piece in range(int(pieces.max(initial=0))):
-            rows = np.flatnonzero(pieces > piece)
+        if loud.any():
+            result[loud] = self._over_piece(products[loud], norms[loud], start[loud], stop[loud], phase, self._steps)
+        for piece in range(int(pieces[~loud].max(initial=0))):
+            rows = np.flatnonzero(~loud & (pieces > piece))
             growth = (stop[rows] / start[rows]) ** (1.0 / pieces[rows])
             low = start[rows] * growth**piece
             high = np.where(pieces[rows] == piece + 1, stop[rows], low * growth)
-            part = self._over_piece(products[rows], norms[rows], low, high, phase)
+            part = self._over_piece(products[rows], norms[rows], low, high, phase, _GAUSS)
             result[rows] = np.logaddexp(result[rows], part) if piece else part
         return result - self._log_norm
 
@@ -154,9 +174,11 @@ class DistanceIntegral:
         reach = np.sqrt((nearest - peak) ** 2 + 2.0 * self._depth / norms)
         return np.maximum(low, peak - reach), np.minimum(high, peak + reach)
 
-    def _over_piece(self, products: Floats, norms: Floats, start: Floats, stop: Floats, phase: bool) -> Floats:
+    def _over_piece(
+        self, products: Floats, norms: Floats, start: Floats, stop: Floats, phase: bool, rule: _Rule
+    ) -> Floats:
         half = 0.5 * (stop - start)
-        u = (start + half)[:, None] + half[:, None] * _NODES
+        u = (start + half)[:, None] + half[:, None] * rule.nodes
         amplitude = products[:, None] * u
         exponent = log_bessel_i0(amplitude) if phase else amplitude
         # p(D) dD = D^power dD / norm, in units of the reference distance: u^-(power + 2) du; beside it the table's
@@ -166,6 +188,6 @@ class DistanceIntegral:
             exponent = exponent + self._prior.beside_the_power(-log_u)
         top = exponent.max(axis=1)
         total = np.zeros(len(top))
-        for node in range(len(_NODES)):  # in a fixed order, whatever the number of rows
-            total += _WEIGHTS[node] * np.exp(exponent[:, node] - top)
+        for node, weight in enumerate(rule.weights):  # in a fixed order, whatever the number of rows
+            total += weight * np.exp(exponent[:, node] - top)
         return np.asarray(top + np.log(total * half))
