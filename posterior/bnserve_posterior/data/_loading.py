@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference import DetectorData, fourier_strain, simulate_data
+from bnserve_inference import DetectorData, fourier_strain, gaussian_noise, simulate_data
 from bnserve_inference.strain import Strain, data_doubts, read_strain, refuse_gaps
 from bnserve_posterior.data._noise import Noise, estimated_noise, noise_curve
 from bnserve_posterior.events import DataSection, DetectorSection, Event, EventInvalid
@@ -23,6 +23,8 @@ _AFTER = 2.0
 """Seconds of data after the trigger, at least, where no start is given."""
 _SIMULATED = 2.0
 """Points of simulated data: up to this many times the end of the band."""
+_ANY_DISTANCE = 100.0
+"""Mpc, from which a signal is brought to its signal-to-noise ratio."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,35 +129,40 @@ def _simulated(event: Event, model: WaveformModel, modes: tuple[Mode, ...] | Non
     points = round(data.duration * 2.0 ** math.ceil(math.log2(_SIMULATED * data.f_max)) / 2.0) + 1
     found = EventData([], None)
     curves = [_curve(section, name, data.duration, points, found.digests) for name, section in event.detectors.items()]
-    parameters = dict(injection.parameters)
-    parameters.setdefault("geocent_time", data.trigger_time)
+    parameters = {"luminosity_distance": _ANY_DISTANCE, "geocent_time": data.trigger_time, **injection.parameters}
     if injection.snr is not None:
-        parameters["luminosity_distance"] = 100.0  # Mpc, from which it is scaled
-
-    def simulate(seed: int | None) -> list[DetectorData]:
-        made = simulate_data(
-            list(event.detectors), [curve.asd for curve in curves], model=model,
-            parameters=likelihood_parameters(parameters, data.trigger_time), trigger_time=data.trigger_time,
-            start_time=segment_start(data), duration=data.duration, seed=seed, f_min=data.f_min, modes=modes,
-            response=injection.response,
-        )  # fmt: skip
-        return [_narrowed(one, section) for one, section in zip(made, event.detectors.values(), strict=True)]
-
-    if injection.snr is not None:
-        parameters["luminosity_distance"] *= network_snr(simulate(None), data) / injection.snr
-    elif "luminosity_distance" not in parameters:
+        parameters["luminosity_distance"] = _ANY_DISTANCE
+    elif "luminosity_distance" not in injection.parameters:
         raise EventInvalid("The injection has no distance: give luminosity_distance in its parameters, or its snr.")
-    detectors = simulate(None if injection.zero_noise else injection.seed)
+    made = simulate_data(
+        list(event.detectors), [curve.asd for curve in curves], model=model,
+        parameters=likelihood_parameters(parameters, data.trigger_time), trigger_time=data.trigger_time,
+        start_time=segment_start(data), duration=data.duration, seed=None, f_min=data.f_min, modes=modes,
+        response=injection.response,
+    )  # fmt: skip
+    signals = [_narrowed(one, section) for one, section in zip(made, event.detectors.values(), strict=True)]
+    snr = network_snr(signals, data)
+    nearness = 1.0 if injection.snr is None else injection.snr / snr
+    parameters["luminosity_distance"] /= nearness
     noise = "without noise" if injection.zero_noise else f"in Gaussian noise of seed {injection.seed}"
-    snr = network_snr(simulate(None), data)
     seen = "in detectors that turn" if injection.response == "moving" else "in detectors that stand still"
     facts = [
-        f"Simulated: a signal of signal-to-noise ratio {snr:.1f} at {parameters['luminosity_distance']:.1f} Mpc, "
-        f"{seen}, {noise}; {data.duration:g} s from GPS {segment_start(data):.10g}, band {data.f_min:g} to "
-        f"{data.f_max:g} Hz.",
+        f"Simulated: a signal of signal-to-noise ratio {nearness * snr:.1f} at "
+        f"{parameters['luminosity_distance']:.1f} Mpc, {seen}, {noise}; {data.duration:g} s from GPS "
+        f"{segment_start(data):.10g}, band {data.f_min:g} to {data.f_max:g} Hz.",
         *(f"{curve.origin}." for curve in curves),
     ]
-    return EventData(detectors, parameters, facts, [], found.digests)
+    seed = None if injection.zero_noise else injection.seed
+    return EventData(_in_noise(signals, nearness, seed), parameters, facts, [], found.digests)
+
+
+def _in_noise(signals: list[DetectorData], nearness: float, seed: int | None) -> list[DetectorData]:
+    """Signals that are so many times as strong, in noise, or in none."""
+    strains = [nearness * each.strain for each in signals]
+    if seed is not None:
+        for strain, each, random in zip(strains, signals, np.random.default_rng(seed).spawn(len(signals)), strict=True):
+            strain += gaussian_noise(each.asd, each.duration, random)
+    return [replace(each, strain=strain) for each, strain in zip(signals, strains, strict=True)]
 
 
 def network_snr(detectors: list[DetectorData], data: DataSection) -> float:
