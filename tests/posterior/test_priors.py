@@ -6,7 +6,7 @@ import bilby
 import numpy as np
 import pytest
 
-from bnserve_inference import Detector
+from bnserve_inference import Detector, sidereal_time, time_delay
 from bnserve_posterior.events import EventInvalid
 from bnserve_posterior.priors import (
     PriorCube,
@@ -157,23 +157,29 @@ def test_priors_that_no_cube_has_are_refused(changes, sentence):
 
 
 NETWORK = [Detector.named(name) for name in ("H1", "L1", "V1")]
+TRIANGLE = [Detector.named(name) for name in ("ETS1", "ETS2", "ETS3")]
+POLE = [Detector.at("P1", latitude=-0.5 * math.pi, longitude=0.0, x_azimuth=0.0, y_azimuth=1.0)]
+CENTRE = [Detector("C1", TRIANGLE[0].response, np.zeros(3))]
 
 
 @pytest.mark.parametrize(
-    "changes",
+    ("changes", "network"),
     [
-        {},
-        {"chi_1": 0.01},
-        {"chi_2": 0.0, "lambda_1": 300.0},
-        {"ra": 3.4, "dec": -0.4},
-        {"geocent_time": TRIGGER},
-        {"mass_ratio": (1.0, 3.0)},
-        {"chirp_mass": (0.9, 2.0)},
+        ({}, NETWORK),
+        ({"chi_1": 0.01}, NETWORK),
+        ({"chi_2": 0.0, "lambda_1": 300.0}, NETWORK),
+        ({"ra": 3.4, "dec": -0.4}, NETWORK),
+        ({"geocent_time": TRIGGER}, NETWORK),
+        ({"mass_ratio": (1.0, 3.0)}, NETWORK),
+        ({"chirp_mass": (0.9, 2.0)}, NETWORK),
+        ({}, TRIANGLE),
+        ({}, POLE),
+        ({}, CENTRE),
     ],
 )
-def test_coordinates_lead_back_and_their_volume_is_that_of_the_map(changes):
+def test_coordinates_lead_back_and_their_volume_is_that_of_the_map(changes, network):
     cube = cube_of(**changes)
-    coordinates = coordinates_of(cube, NETWORK)
+    coordinates = coordinates_of(cube, network)
     u = 0.02 + 0.96 * points(cube, 40)
     y, volume = coordinates.from_cube(u)
     back, same = coordinates.to_cube(y)
@@ -185,6 +191,18 @@ def test_coordinates_lead_back_and_their_volume_is_that_of_the_map(changes):
         jacobian = (above - below) / (2.0 * steps[:, None])
         # phases are measured to 1e-7 of themselves by such steps
         assert np.linalg.slogdet(jacobian)[1] == pytest.approx(volume[row], abs=2e-3)
+
+
+def test_of_detectors_at_one_place_the_time_is_that_of_arrival_and_the_sky_begins_at_their_vertical():
+    cube = cube_of()
+    u = points(cube, 40)
+    values, found = cube(u), coordinates_of(cube, TRIANGLE).from_cube(u)[0]
+    turned = sidereal_time(TRIGGER)[0]
+    delays = [time_delay(TRIANGLE[0], ra, dec, turned) for ra, dec in zip(values["ra"], values["dec"], strict=True)]
+    arrival = found[:, cube.names.index("coalescence_time")]
+    assert np.argsort(arrival).tolist() == np.argsort(values["coalescence_time"] + delays).tolist()
+    # What is high in the sky arrives early.
+    assert np.argsort(found[:, cube.names.index("ra")]).tolist() == np.argsort(delays)[::-1].tolist()
 
 
 def test_places_of_no_binary_are_outside_of_the_cube():

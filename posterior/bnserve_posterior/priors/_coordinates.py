@@ -3,8 +3,9 @@
 Where chirp mass, mass ratio and spins are sampled, the chirp mass and the spin of the heavier star give way to the two
 combinations of post-Newtonian phases that the data fix best (Lee, Morisaki, Tagoshi 2022, arXiv:2203.05216, eqs. 14 to
 20), and the tide of the heavier star to the reduced tidal parameter. An isotropic place in the sky is given by its
-angles to the line between two detectors, and the time as that of the arrival at the first. Every other column u of the
-unit cube is the place where a normal distribution reaches u. All of it can be undone, and volumes are kept track of.
+angles to the line between two detectors, or to the vertical where they are at one place, and the time as that of the
+arrival at the first. Every other column u of the unit cube is the place where a normal distribution reaches u. All of
+it can be undone, and volumes are kept track of.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from scipy.special import ndtr, ndtri
 
 from bnserve_inference import Detector
 from bnserve_posterior.priors._cube import PriorCube
-from bnserve_posterior.priors._sky import PairFrame
+from bnserve_posterior.priors._sky import SkyFrame, sky_axis
 from bnserve_posterior.sampling import Coordinates
 from bnserve_protocol import SOLAR_MASS_SECONDS
 
@@ -140,12 +141,12 @@ class _Tides:
 
 
 class _Sky:
-    """``ra`` and ``dec`` as angles to the line between two detectors, ``coalescence_time`` as arrival at the first."""
+    """``ra`` and ``dec`` as angles to the axis of detectors, ``coalescence_time`` as arrival at the first."""
 
     needs = ("ra", "dec")
 
-    def __init__(self, cube: PriorCube, detectors: Sequence[Detector]) -> None:
-        self._cube, self._frame = cube, PairFrame(detectors[0], detectors[1], cube.trigger_time)
+    def __init__(self, cube: PriorCube, axis: Floats, first: Detector) -> None:
+        self._cube, self._frame = cube, SkyFrame(axis, first.location, cube.trigger_time)
         timed = ("coalescence_time",) if "coalescence_time" in cube.names else ()
         self.columns = tuple(cube.names.index(name) for name in ("ra", "dec", *timed))
         if timed:
@@ -186,16 +187,16 @@ _Block = _Masses | _Tides | _Sky
 
 
 def coordinates_of(cube: PriorCube, detectors: Sequence[Detector]) -> Coordinates:
-    """The coordinates of a prior, as far as it samples what they are made of; detectors at one place see no line."""
+    """The coordinates of a prior, as far as it samples what they are made of."""
     blocks: list[_Block] = []
     known = {*cube.names, *cube.fixed}
     if {*_Masses.needs} <= {*cube.names} and "chi_2" in known:
         blocks.append(_Masses(cube))
     if {*_Tides.needs} <= {*cube.names}:
         blocks.append(_Tides(cube))
-    apart = [d for d in detectors if np.linalg.norm(d.location - detectors[0].location) > 1.0]
-    if apart and {*_Sky.needs} <= {*cube.names} and _isotropic(cube):
-        blocks.append(_Sky(cube, [detectors[0], apart[0]]))
+    axis = sky_axis(detectors)
+    if axis is not None and {*_Sky.needs} <= {*cube.names} and _isotropic(cube):
+        blocks.append(_Sky(cube, axis, detectors[0]))
     taken = {column for block in blocks for column in block.columns}
     plain = [column for column in range(len(cube)) if column not in taken]
 

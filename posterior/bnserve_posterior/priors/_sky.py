@@ -1,6 +1,12 @@
-"""The sky as two detectors see it: angles to the line between them, which fix the delay from one to the other."""
+"""The sky as detectors see it: angles to an axis.
+
+The axis of two detectors is the line between them, so that one angle fixes the delay from one to the other. That of
+detectors at one place is their vertical: places that are each other's images at the horizon look nearly the same there.
+"""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,31 +16,44 @@ from bnserve_inference import Detector, sidereal_time
 Floats = NDArray[np.float64]
 _LIGHT_SPEED = 299792458.0
 """Metres per second."""
+_ONE_PLACE = 1e5
+"""Metres; detectors that are closer are at one place: light takes 0.3 ms, which hardly is seen beside the antenna
+patterns, of triangles for example."""
+_NEARLY_POLAR = 0.999
+"""Of an axis: azimuths about it do not begin at the pole."""
 
 
-class PairFrame:
-    """Of two detectors at different places; directions are unit vectors.
+def sky_axis(detectors: Sequence[Detector]) -> Floats | None:
+    """The axis of a network, ``(3,)``; None where there is none: all detectors are at the centre of the Earth."""
+    first = detectors[0].location
+    lines = [each.location - first for each in detectors]
+    for axis in (*lines, first):
+        if (size := np.linalg.norm(axis)) > _ONE_PLACE:
+            return np.asarray(axis / size)
+    return None
+
+
+class SkyFrame:
+    """Of an axis, and of arrival at a place; directions are unit vectors.
 
     Parameters
     ----------
-    first, second
-        The detectors.
+    axis, location
+        ``(3,)`` both, in the frame that turns with the Earth; the second in metres.
     trigger_time
         GPS seconds, at which the Earth's turn counts.
     """
 
-    def __init__(self, first: Detector, second: Detector, trigger_time: float) -> None:
-        axis = second.location - first.location
-        axis = axis / np.linalg.norm(axis)
-        other = np.cross(axis, [0.0, 0.0, 1.0])
+    def __init__(self, axis: Floats, location: Floats, trigger_time: float) -> None:
+        other = np.cross(axis, [0.0, 0.0, 1.0] if abs(axis[2]) < _NEARLY_POLAR else [1.0, 0.0, 0.0])
         other /= np.linalg.norm(other)
         self._axes = np.array([other, np.cross(axis, other), axis])
-        self._location = first.location
+        self._location = location
         self._sidereal = sidereal_time(trigger_time)[0]
 
     def angles(self, right_ascension: Floats, declination: Floats) -> tuple[Floats, Floats, Floats]:
-        """Cosine of the angle to the line, azimuth about it in [0, 2 pi), and how much later (s) than at the centre of
-        the Earth a signal from there is at the first detector."""
+        """Cosine of the angle to the axis, azimuth about it in [0, 2 pi), and how much later (s) than at the centre of
+        the Earth a signal from there is at the place."""
         hour = right_ascension - self._sidereal
         flat = np.cos(declination)
         direction = np.stack([flat * np.cos(hour), flat * np.sin(hour), np.sin(declination)], axis=-1)
