@@ -1,6 +1,7 @@
 """Forecasts: Fisher matrices of binaries in networks of detectors."""
 
 from bnserve_inference.fisher._forecasting import COORDINATES, ForecastOptions, forecast
+from bnserve_inference.fisher._loudness import SignalToNoise, signal_to_noise
 from bnserve_inference.fisher._matrix import Forecast
 from bnserve_inference.fisher._network import Network, NoiseCurve
 from bnserve_inference.fisher._population import as_samples, read_population
@@ -13,10 +14,12 @@ __all__ = [
     "ForecastOptions",
     "Network",
     "NoiseCurve",
+    "SignalToNoise",
     "as_samples",
     "draw_forecasts",
     "forecast",
     "forecast_catalogue",
     "read_population",
+    "signal_to_noise",
     "summary",
 ]

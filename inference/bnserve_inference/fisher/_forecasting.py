@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from bnserve_inference._modes import QUADRUPOLE, chosen_modes, orders
 from bnserve_inference.fisher._matrix import LARGEST_CONDITION, Forecast, condition, triangular, with_priors
 from bnserve_inference.fisher._network import Network
-from bnserve_inference.fisher._nodes import Nodes, nodes_between
+from bnserve_inference.fisher._nodes import nodes_of
 from bnserve_inference.fisher._signals import NAMES, SKY, Signals
 from bnserve_protocol import (
     DERIVATIVE_NAMES,
@@ -113,7 +113,7 @@ def forecast(
                 errors=[FieldError(reason="no prior", parameter=str(name)[:80])],
             )
     modes = chosen_modes(options.modes, model.description)
-    nodes = nodes_of(network, modes)
+    nodes = nodes_of(network, orders(modes))
     signals = Signals(network, nodes, modes)
     asked = EvaluationOptions(modes=modes, alignment=options.alignment, out_of_domain="flag")  # type: ignore[arg-type]
     size = max(1, _NUMBERS // (len(nodes.frequencies) * len(NAMES) * len(network.sites)))
@@ -141,11 +141,6 @@ def _held(model: Differentiable, part: LikelihoodBatch, options: ForecastOptions
     for place, name in enumerate(DERIVATIVE_NAMES):
         out[:, NAMES.index("reference_phase"), NAMES.index(name)] = -slopes[:, place]
     return out
-
-
-def nodes_of(network: Network, modes: Sequence[Mode]) -> Nodes:
-    """Where the integrals of a network are evaluated."""
-    return nodes_between(network.f_min, network.f_max, network.breaks(), orders(modes), network.sensitivity)
 
 
 def _jacobian(part: LikelihoodBatch, coordinates: Sequence[str], status: NDArray[np.uint8]) -> Floats:

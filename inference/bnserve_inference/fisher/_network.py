@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from importlib.resources import as_file, files
 from pathlib import Path
 
@@ -87,6 +88,12 @@ class NoiseCurve:
             raise AnalysisInvalid(f"{Path(path).name} is no text file of two columns of numbers: {error}.") from error
         return cls.of(f, np.sqrt(values) if psd else values)
 
+    def same_as(self, other: NoiseCurve) -> bool:
+        """Whether all numbers are the same."""
+        return self is other or (
+            np.array_equal(self.frequencies, other.frequencies) and np.array_equal(self.asd, other.asd)
+        )
+
     def at(self, f: Floats) -> Floats:
         """The ASD, infinite where there is none."""
         inside = (f >= self.frequencies[0] * (1.0 - 1e-9)) & (f <= self.frequencies[-1] * (1.0 + 1e-9))
@@ -144,13 +151,15 @@ class Network:
         """The detectors."""
         return tuple(self.detectors)  # type: ignore[arg-type]  # strings have become detectors
 
-    def breaks(self) -> Floats:
-        """Frequencies where curves have an edge: their ends, and knots where they are few."""
-        few = [
-            curve.frequencies if len(curve.frequencies) <= 64 else curve.frequencies[[0, -1]] for curve in self.noise
-        ]
-        return np.unique(np.concatenate(few))
+    @cached_property
+    def curves(self) -> tuple[NoiseCurve, ...]:
+        """The noise curves that differ."""
+        found: list[NoiseCurve] = []
+        for curve in self.noise:
+            if not any(curve.same_as(other) for other in found):
+                found.append(curve)
+        return tuple(found)
 
-    def sensitivity(self, f: Floats) -> Floats:
-        """The sum of 1 / S over the detectors, in Hz, at frequencies ``(K,)``."""
-        return np.asarray(sum(curve.at(f) ** -2.0 for curve in self.noise))
+    def detectors_with(self, curve: NoiseCurve) -> list[int]:
+        """Which of the detectors have this noise."""
+        return [place for place, own in enumerate(self.noise) if own.same_as(curve)]

@@ -23,6 +23,7 @@ from bnserve_protocol import (
     Derivatives,
     LikelihoodBatch,
     Mode,
+    Modes,
 )
 
 Complex = NDArray[np.complex128]
@@ -57,8 +58,8 @@ class Signals:
         ``(N, D)``."""
         sidereal, rate = sidereal_time(self.network.trigger_time)
         groups = [self._group(found, samples, order, sidereal, rate) for order in orders(self.modes)]
-        apart = np.flatnonzero(self.nodes.apart)
-        together = np.flatnonzero(self.nodes.apart == 0.0)
+        apart = self.nodes.places[self.nodes.apart].ravel()
+        together = self.nodes.places[~self.nodes.apart].ravel()
         count, f = len(samples), len(self.nodes.frequencies)
         width = len(groups) * len(apart) + len(together) if len(together) else f
         squares = np.zeros((count, len(self.network.noise)))
@@ -78,11 +79,36 @@ class Signals:
                 place += len(factor)
         return out.view(np.float64), squares  # real and imaginary parts are numbers of their own
 
+    def squares(self, found: Modes, passing: Floats | None, samples: LikelihoodBatch) -> Floats:
+        """Squared signal-to-noise ratios of N binaries in each detector, ``(N, D)``; ``passing`` are the times at which
+        each order passes the nodes, ``(N, G, K)``, None of detectors that stand."""
+        sidereal, rate = sidereal_time(self.network.trigger_time)
+        f, arrival = self.nodes.frequencies, samples["coalescence_time"][:, None]
+        angles = [samples[name][:, None] for name in SKY]
+        apart, together = self.nodes.places[self.nodes.apart].ravel(), self.nodes.places[~self.nodes.apart].ravel()
+        squares = np.zeros((len(samples), len(self.network.noise)))
+        total = np.zeros((len(self.network.noise), len(samples), len(together)), np.complex128)
+        for group, order in enumerate(orders(self.modes)):
+            which = [place for place, (_, m) in enumerate(self.modes) if m == order]
+            plus, cross = (_sum(found.h, factors, which) for factors in (found.plus, found.cross))
+            times = np.zeros((1, len(f))) if passing is None else passing[:, group]
+            now = sidereal + rate * (arrival + times)
+            for d, detector in enumerate(self.network.sites):
+                pattern, delay = _response(detector, now, angles, f)
+                signal = (pattern[0] * plus + pattern[1] * cross) * self.scales[d]
+                squares[:, d] += (np.abs(signal[:, apart]) ** 2).sum(axis=1)
+                total[d] += signal[:, together] * np.exp(-2j * np.pi * f[together] * delay[0][:, together])
+        return np.asarray(squares + (np.abs(total) ** 2).sum(axis=2).T)
+
     @cached_property
     def scales(self) -> list[Floats]:
         """What whitens the signal in each detector at the nodes, ``(K,)``."""
-        f, weights = self.nodes.frequencies, self.nodes.weights
-        return [np.sqrt(4.0 * weights) / curve.at(f) for curve in self.network.noise]
+        found = [np.zeros(len(self.nodes.frequencies)) for _ in self.network.noise]
+        for number, curve in enumerate(self.network.curves):
+            panels = self.nodes.curve == number
+            for d in self.network.detectors_with(curve):
+                found[d][self.nodes.places[panels]] = np.sqrt(4.0 * self.nodes.weights[panels])
+        return found
 
     def _group(
         self, found: Derivatives, samples: LikelihoodBatch, order: int, sidereal: float, rate: float

@@ -7,10 +7,11 @@ import numpy as np
 import pytest
 
 from bnserve_inference import Detector, detector_strain
-from bnserve_inference.fisher import COORDINATES, ForecastOptions, Network, NoiseCurve, forecast
-from bnserve_inference.fisher._forecasting import nodes_of
+from bnserve_inference._modes import orders
+from bnserve_inference.fisher import COORDINATES, ForecastOptions, Network, NoiseCurve, forecast, signal_to_noise
+from bnserve_inference.fisher._gauss import gauss, slopes
 from bnserve_inference.fisher._matrix import condition, triangular
-from bnserve_inference.fisher._nodes import Nodes
+from bnserve_inference.fisher._nodes import Nodes, nodes_of
 from bnserve_inference.fisher._signals import NAMES, Signals
 from bnserve_protocol import (
     AnalysisInvalid,
@@ -51,9 +52,18 @@ def network(detectors=("E1", "E2", "E3"), f_min=10.0, f_max=1900.0, moving=True)
     return Network(list(detectors), [curve()] * len(detectors), f_min, f_max, TRIGGER, moving)
 
 
+def panels_of(own, f, weights):
+    """Frequencies as panels of eight, together; all detectors have one curve."""
+    [noise] = own.curves
+    places = np.arange(len(f)).reshape(-1, 8)
+    count = len(places)
+    scaled = (weights / noise.at(f) ** 2).reshape(-1, 8)
+    return Nodes(f, places, scaled, np.zeros(count, np.int64), np.zeros(count, bool))
+
+
 def of_signals(model, own, modes, at):
     """Derivatives of signals in each detector before they are whitened, ``(14, K)``."""
-    nodes = Nodes(at, np.ones(len(at)), np.zeros(len(at)))
+    nodes = panels_of(own, at, np.ones(len(at)))
     signals = Signals(own, nodes, modes)
     batch = LikelihoodBatch.coerce(BINARY)
     found = model.predict_derivatives(
@@ -112,14 +122,52 @@ def test_integrals_are_those_of_a_dense_grid(model, modes):
     smooth = curve()
     walled = NoiseCurve.of(smooth.frequencies, smooth.asd * (1.0 + (28.0 / smooth.frequencies) ** 20))
     own = Network(["E1", "E2", "E3"], [walled] * 3, 22.0, 1900.0, TRIGGER)
-    f = np.geomspace(22.0, 1900.0, 160_001)
+    f = np.geomspace(22.0, 1900.0, 160_000)
     weights = np.gradient(f)
     weights[[0, -1]] = 0.5 * np.abs(np.diff(f)[[0, -1]])
-    dense = root_on(model, own, modes, Nodes(f, weights, np.zeros(len(f))))
-    ours = root_on(model, own, modes, nodes_of(own, modes))
+    dense = root_on(model, own, modes, panels_of(own, f, weights))
+    ours = root_on(model, own, modes, nodes_of(own, orders(modes)))
     expected, found = dense @ dense.T, ours @ ours.T
     scale = np.sqrt(np.diag(expected))
     assert np.abs((found - expected) / np.outer(scale, scale)).max() < 2e-6
+
+
+def test_panels_integrate_what_is_smooth_over_noise_that_is_not():
+    """Lines, a notch and a knot inside of a panel: polynomials of degree 15 in log f, against a fine sum."""
+    f = np.geomspace(10.0, 40.0, 400)
+    lines = NoiseCurve.of(f, 1e-24 * (1.0 + 300.0 * (np.arange(400) % 37 == 5) + (np.abs(f - 23.0) < 0.4) * 1e8))
+    edges = np.geomspace(10.0, 40.0, 8)
+    places, weights = gauss(edges, lambda at: lines.at(at) ** -2.0, f)
+    assert (np.diff(places.ravel()) > 0.0).all()
+    fine, own = gauss(
+        np.unique(np.concatenate([edges, np.geomspace(10.0, 40.0, 9001)])), lambda at: lines.at(at) ** -2.0, f
+    )
+    for power in range(16):
+        x, y = (np.log(it / 20.0) ** power for it in (places, fine))
+        assert (weights * x).sum() == pytest.approx((own * y).sum(), rel=1e-9), power
+
+
+def test_slopes_of_panels_are_those_of_polynomials():
+    x = np.sort(np.random.default_rng(3).uniform(-1.0, 1.0, (5, 8)), axis=1)
+    for power in range(1, 8):
+        np.testing.assert_allclose((slopes(x) @ (x**power)[..., None])[..., 0], power * x ** (power - 1), atol=1e-9)
+
+
+@pytest.mark.parametrize("moving", [True, False], ids=["moving", "static"])
+@pytest.mark.parametrize("modes", [((2, 2),), None], ids=["one", "all"])
+def test_signal_to_noise_ratios_alone_are_those_of_forecasts(model, modes, moving):
+    """In detectors of two noise curves; a row out of the model's range, too."""
+    values = LikelihoodBatch.coerce(BINARY).values.repeat(3, axis=0)
+    batch = LikelihoodBatch(values.copy())
+    batch["mass_ratio"][:] = [1.3, 99.0, 1.9]
+    own = Network(["E1", "E2", "H1"], [curve(), curve(), curve(15.0, 900.0)], 10.0, 1900.0, TRIGGER, moving)
+    options = ForecastOptions(modes=modes)
+    alone, whole = signal_to_noise(model, own, batch, options), forecast(model, own, batch, options)
+    assert alone.status.tolist() == whole.status.tolist()
+    np.testing.assert_allclose(alone.detector_snr, whole.detector_snr, rtol=1e-6)
+    np.testing.assert_allclose(alone.snr, whole.snr, rtol=1e-6)
+    assert np.isnan(alone.snr[1])
+    assert len(signal_to_noise(model, own, LikelihoodBatch(np.zeros((0, 13))), options).snr) == 0
 
 
 def test_what_is_measured_and_what_is_not(model):

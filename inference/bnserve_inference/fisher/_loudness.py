@@ -1,0 +1,98 @@
+"""Signal-to-noise ratios alone: a Fisher matrix's integrals without derivatives, on fewer nodes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_inference._modes import chosen_modes, options_for, orders
+from bnserve_inference.fisher._forecasting import ForecastOptions
+from bnserve_inference.fisher._gauss import slopes
+from bnserve_inference.fisher._network import Network
+from bnserve_inference.fisher._nodes import WIDE, Nodes, nodes_of
+from bnserve_inference.fisher._signals import Signals
+from bnserve_protocol import LikelihoodBatch, LikelihoodBatchLike, Mode, ParameterBatch, RowStatus, WaveformModel
+
+Floats = NDArray[np.float64]
+
+_DEFAULTS = ForecastOptions()
+_NUMBERS = 2**17
+"""Complex numbers of modes at once: 2 MiB, which stay near the processor."""
+
+
+@dataclass(frozen=True, eq=False)
+class SignalToNoise:
+    """Optimal signal-to-noise ratios of N binaries in a network of D detectors.
+
+    Attributes
+    ----------
+    snr, detector_snr
+        ``(N,)`` of the network and ``(N, D)``.
+    status
+        uint8 ``(N,)``, a RowStatus each; rows that are not OK are NaN.
+    """
+
+    snr: Floats
+    detector_snr: Floats
+    status: NDArray[np.uint8]
+
+
+def signal_to_noise(
+    model: WaveformModel, network: Network, samples: LikelihoodBatchLike, options: ForecastOptions = _DEFAULTS
+) -> SignalToNoise:
+    """Optimal signal-to-noise ratios, as of :func:`.forecast`, without its derivatives: many times as fast.
+
+    Parameters
+    ----------
+    model
+        Whose waveforms, local or a server's; it need not have derivatives.
+    samples
+        The binaries, as a likelihood takes them, with distance and ``coalescence_time``.
+    options
+        ``modes`` and ``alignment`` of them; nothing else matters here.
+
+    Raises
+    ------
+    AnalysisInvalid
+        Modes that the model does not have.
+    InvalidParameters
+        Samples that are none.
+    """
+    batch = LikelihoodBatch.coerce(samples)
+    modes = chosen_modes(options.modes, model.description)
+    nodes = nodes_of(network, orders(modes), WIDE)
+    signals = Signals(network, nodes, modes)
+    size = max(1, _NUMBERS // (len(nodes.frequencies) * len(modes)))
+    squares, status = [np.zeros((0, len(network.noise)))], [np.zeros(0, np.uint8)]
+    for start in range(0, len(batch), size):
+        part = batch.rows(slice(start, start + size))
+        waveforms = part.waveform_batch()
+        asked = options_for(model, modes, alignment=options.alignment, out_of_domain="flag")
+        found = model.predict_modes(nodes.frequencies, waveforms, options=asked)
+        passing = passing_times(model, nodes, waveforms, modes, options.alignment) if network.moving else None
+        own = signals.squares(found, passing, part)
+        own[found.status != RowStatus.OK] = np.nan
+        squares.append(own)
+        status.append(found.status)
+    whole = np.concatenate(squares)
+    return SignalToNoise(np.sqrt(whole.sum(axis=1)), np.sqrt(whole), np.concatenate(status))
+
+
+def passing_times(
+    model: WaveformModel, nodes: Nodes, batch: ParameterBatch, modes: tuple[Mode, ...], alignment: str
+) -> Floats:
+    """When the modes of each of G orders pass the nodes, in seconds from the coalescence: ``(N, G, K)``.
+
+    As of :func:`bnserve_inference._passing.passing_times`, by the polynomials through the phase in each panel.
+    """
+    f = nodes.frequencies[nodes.places]
+    matrices = slopes(np.log(f)) / (-2.0 * np.pi * f[:, :, None])
+    found = np.empty((len(batch), len(orders(modes)), len(nodes.frequencies)))
+    for place, order in enumerate(orders(modes)):
+        leading = min(mode for mode in modes if mode[1] == order)
+        asked = options_for(model, (leading,), alignment=alignment, out_of_domain="flag")
+        phase = model.predict_amplitude_phase(nodes.frequencies, batch, options=asked).phase[:, nodes.places]
+        found[:, place, nodes.places] = np.matmul(matrices, phase[..., None])[..., 0]
+    return found
