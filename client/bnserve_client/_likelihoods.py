@@ -22,6 +22,7 @@ from bnserve_protocol import (
     LikelihoodBatch,
     LikelihoodBatchLike,
     LikelihoodCounts,
+    LikelihoodGradients,
     LikelihoodValues,
     Limits,
     MarginalisedDraws,
@@ -32,6 +33,7 @@ from bnserve_protocol import (
     check_invalid_rows,
     check_model_of,
     encode_analysis,
+    gradient_names,
     integrated_names,
     likelihood_samples,
     nothing_integrated,
@@ -104,6 +106,8 @@ class LogLikelihoods(Question):
         check_model(found.model, where, model)
         if found.analysis != self._analysis.digest or len(found.status) != rows:
             raise AnswerCorrupted(f"An answer from {where} belongs to another analysis or batch.")
+        if self._output == "gradients" and found.gradient_names != gradient_names(self._analysis.settings):
+            raise AnswerCorrupted(f"An answer from {where} has gradients with respect to other parameters.")
         arrays: dict[str, NDArray[Any]] = {
             "log_likelihood": found.log_likelihood.copy(),
             "status": found.status.copy(),
@@ -141,6 +145,8 @@ def _further(analysis: Analysis, output: LikelihoodOutput) -> dict[str, tuple[np
     if output == "products":
         detectors = len(analysis.settings.detectors)
         return {"d_inner_h": (np.dtype("<c16"), detectors), "h_inner_h": (np.dtype("<f8"), detectors)}
+    if output == "gradients":
+        return {"gradient": (np.dtype("<f8"), len(gradient_names(analysis.settings)))}
     names = integrated_names(analysis.settings) if output == "draws" else ()
     return {name: (np.dtype("<f8"), 0) for name in names}
 
@@ -223,6 +229,13 @@ class _Remote:
         arrays = yield from self._asking(samples_of(batch, self._analysis.settings))
         return LikelihoodValues(arrays["log_likelihood"], arrays["status"])
 
+    def _differentiating(self, batch: LikelihoodBatchLike) -> Conversation[LikelihoodGradients]:
+        settings = self._analysis.settings
+        arrays = yield from self._asking(samples_of(batch, settings), "gradients")
+        return LikelihoodGradients(
+            arrays["log_likelihood"], arrays["gradient"], gradient_names(settings), arrays["status"]
+        )
+
     def _multiplying(self, batch: LikelihoodBatchLike) -> Conversation[DetectorProducts]:
         arrays = yield from self._asking(samples_of(batch, nothing_integrated(self._analysis.settings)), "products")
         detectors = self._analysis.settings.detectors
@@ -270,6 +283,15 @@ class Likelihood(_Remote):
         values: LikelihoodValues = self._model._connections.run(self._evaluating(batch))
         return values
 
+    def gradients(self, batch: LikelihoodBatchLike) -> LikelihoodGradients:
+        """As :meth:`evaluate`, with the exact gradient of every row, ``(N, P)``, in the parameters that are sampled.
+
+        Raises as :meth:`log_likelihood`, and InvalidRequest where the model has no derivatives; a server from before
+        refuses it.
+        """
+        found: LikelihoodGradients = self._model._connections.run(self._differentiating(batch))
+        return found
+
     def products(self, batch: LikelihoodBatchLike) -> DetectorProducts:
         """Inner products, signal-to-noise ratios and ln L by detector, of the signals that samples describe.
 
@@ -300,6 +322,11 @@ class AsyncLikelihood(_Remote):
         """As :meth:`Likelihood.evaluate`."""
         values: LikelihoodValues = await self._model._connections.run(self._evaluating(batch))
         return values
+
+    async def gradients(self, batch: LikelihoodBatchLike) -> LikelihoodGradients:
+        """As :meth:`Likelihood.gradients`."""
+        found: LikelihoodGradients = await self._model._connections.run(self._differentiating(batch))
+        return found
 
     async def products(self, batch: LikelihoodBatchLike) -> DetectorProducts:
         """As :meth:`Likelihood.products`."""

@@ -20,13 +20,16 @@ from bnserve_inference._rows import check_batch, row_statuses
 from bnserve_inference._signals import Tile, signals_of
 from bnserve_inference._time_integral import TimeIntegral
 from bnserve_protocol import (
+    LIKELIHOOD_NAMES,
     Analysis,
     DetectorProducts,
+    InvalidRequest,
     InvalidRows,
     Likelihood,
     LikelihoodBatch,
     LikelihoodBatchLike,
     LikelihoodCounts,
+    LikelihoodGradients,
     LikelihoodValues,
     MarginalisedDraws,
     RowStatus,
@@ -34,6 +37,7 @@ from bnserve_protocol import (
     WaveformModel,
     check_invalid_rows,
     check_model_of,
+    gradient_names,
     integrated_names,
     random_numbers,
     refuse_rows,
@@ -144,6 +148,40 @@ class LocalLikelihood:
         if status.any():
             result[status != RowStatus.OK] = -np.inf
         return LikelihoodValues(result, status)
+
+    def gradients(self, batch: LikelihoodBatchLike) -> LikelihoodGradients:
+        """As :meth:`evaluate`, with the gradient of every row, ``(N, P)``, in the parameters that are sampled.
+
+        Raises
+        ------
+        InvalidParameters
+            As :meth:`log_likelihood`.
+        InvalidRequest
+            The model has no derivatives.
+        """
+        if not hasattr(self._model, "predict_derivatives"):
+            raise InvalidRequest(
+                f"The model '{self._model.description.name}' does not say that it has derivatives: ask for "
+                "log-likelihoods."
+            )
+        coerced = samples_of(batch, self._analysis.settings)
+        values, status = self.evaluate(coerced)
+        names = gradient_names(self._analysis.settings)
+        gradient = np.full((len(coerced), len(names)), np.nan)
+        for column, name in enumerate(names[: len(LIKELIHOOD_NAMES) - len(integrated_names(self._analysis.settings))]):
+            gradient[:, column] = self._difference(coerced, name)
+        gradient[status != RowStatus.OK] = np.nan
+        return LikelihoodGradients(values, gradient, names, status)
+
+    def _difference(self, batch: LikelihoodBatch, name: str) -> Floats:
+        steps = {"total_mass": 1e-7, "lambda_1": 0.1, "lambda_2": 0.1, "distance_mpc": 1e-3, "coalescence_time": 1e-6}
+        step, place, total = steps.get(name, 1e-6), LIKELIHOOD_NAMES.index(name), np.zeros(len(batch))
+        for shift, weight in ((-2, 1.0 / 12.0), (-1, -2.0 / 3.0), (1, 2.0 / 3.0), (2, -1.0 / 12.0)):
+            values = batch.values.copy()
+            values[:, place] += shift * step
+            moved = LikelihoodBatch(values, batch.calibration_amplitude, batch.calibration_phase, batch.absent)
+            total += weight * self.evaluate(moved).log_likelihood / step
+        return total
 
     def products(self, batch: LikelihoodBatchLike) -> DetectorProducts:
         """Inner products, signal-to-noise ratios and ln L by detector, of the signals that samples describe.

@@ -95,6 +95,7 @@ from bnserve_protocol._likelihood_details import (
     nothing_integrated,
     random_numbers,
 )
+from bnserve_protocol._likelihood_gradients import LikelihoodGradients, gradient_names
 from bnserve_protocol._likelihood_parameters import LIKELIHOOD_NAMES, LikelihoodParameters
 from bnserve_protocol._manifest import ManifestModel, ProcessorDescription, RunManifest
 from bnserve_protocol._merger_time import MergerStencil, MergerTimes, time_until_merger
@@ -152,17 +153,17 @@ __all__ = [
     "DetectorProducts", "DigestUnknown", "DistanceMarginalisation", "Draining", "DtypeName", "EvaluationOptions",
     "Factored", "FieldError", "Forbidden", "GridLike", "GridUnknown", "InternalError", "InvalidFrequencies",
     "InvalidParameters", "InvalidRequest", "InvalidRows", "Likelihood", "LikelihoodBatch", "LikelihoodBatchLike",
-    "LikelihoodCounts", "LikelihoodParameters", "LikelihoodValues", "Limits", "ManifestModel", "MarginalisedDraws",
-    "MergerStencil", "MergerTimes", "Mode", "ModelDescription", "ModelIdentity", "ModelLoading", "ModelUnknown",
-    "Modes", "NotAcceptable", "NotBnserve", "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain", "Overloaded",
-    "PackageMissing", "ParameterBatch", "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown",
+    "LikelihoodCounts", "LikelihoodGradients", "LikelihoodParameters", "LikelihoodValues", "Limits", "ManifestModel",
+    "MarginalisedDraws", "MergerStencil", "MergerTimes", "Mode", "ModelDescription", "ModelIdentity", "ModelLoading",
+    "ModelUnknown", "Modes", "NotAcceptable", "NotBnserve", "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain",
+    "Overloaded", "PackageMissing", "ParameterBatch", "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown",
     "Polarizations", "ProcessorDescription", "QuotaExceeded", "Response", "RowStatus", "RunManifest", "SchemaUnknown",
     "Seed", "StoreUnknown", "TimeGrid", "TimeMarginalisation", "TimeSeries", "TooLarge", "Unauthorized", "Unavailable",
     "UndecodableBody", "UniformGrid", "UnsupportedMediaType", "UntrustedAnswer", "VersionExists", "WaveformModel",
     "__version__", "as_frequencies", "as_numbers", "as_real_number", "as_real_numbers", "check_arms", "check_dtype",
     "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior",
     "check_settings", "check_table", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis",
-    "encode_analysis", "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples",
+    "encode_analysis", "gradient_names", "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples",
     "nothing_integrated", "plain_grid", "plain_options", "predict_time_domain", "printable", "random_numbers",
     "read_table", "refuse_rows", "require", "samples_of", "the_mode", "time_domain_steps", "time_steps",
     "time_until_merger", "turn_to_reference",

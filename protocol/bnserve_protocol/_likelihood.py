@@ -12,6 +12,7 @@ from bnserve_protocol._analyses import Analysis
 from bnserve_protocol._errors import FieldError, InvalidRequest, OutOfDomain
 from bnserve_protocol._likelihood_batches import LikelihoodBatchLike
 from bnserve_protocol._likelihood_details import DetectorProducts, MarginalisedDraws, Seed
+from bnserve_protocol._likelihood_gradients import LikelihoodGradients
 from bnserve_protocol._results import RowStatus
 
 InvalidRows: TypeAlias = Literal["flag", "error"]
@@ -72,6 +73,12 @@ class Likelihood(Protocol):
         """As :meth:`log_likelihood`, with the :class:`RowStatus` of every row, uint8 ``(N,)``; rows never raise.
 
         A row's bits depend on the row, the analysis and the model alone.
+        """
+
+    def gradients(self, batch: LikelihoodBatchLike) -> LikelihoodGradients:
+        """As :meth:`evaluate`, with the exact gradient of every row, ``(N, P)``, in the parameters that are sampled.
+
+        A model without derivatives raises ``InvalidRequest``.
         """
 
     def products(self, batch: LikelihoodBatchLike) -> DetectorProducts:

@@ -30,6 +30,7 @@ from bnserve_protocol import (
     TimeGrid,
     TimeMarginalisation,
     convert,
+    gradient_names,
     integrated_names,
 )
 from tests.service.injections import SIGNAL, samples, sites, small_analysis
@@ -120,6 +121,9 @@ class _Waiting:
     def evaluate(self, batch):
         return self._loop.run_until_complete(self._likelihood.evaluate(batch))
 
+    def gradients(self, batch):
+        return self._loop.run_until_complete(self._likelihood.gradients(batch))
+
     def products(self, batch):
         return self._loop.run_until_complete(self._likelihood.products(batch))
 
@@ -183,6 +187,17 @@ def test_products_are_equal_in_bits(reach, analysis, local):
         one, other = getattr(found, name), getattr(here, name)
         assert (one.dtype, one.shape, one.tobytes()) == (other.dtype, other.shape, other.tobytes())
     assert np.isfinite(found.h_inner_h).all()
+
+
+def test_gradients_are_equal_in_bits(reach, analysis, local):
+    batch = batch_for(analysis)
+    found, here = reach(analysis).gradients(batch), likelihood(local, analysis).gradients(batch)
+    assert found.names == here.names == gradient_names(analysis.settings)
+    for name in ("log_likelihood", "gradient", "status"):
+        one, other = getattr(found, name), getattr(here, name)
+        assert (one.dtype, one.shape, one.tobytes()) == (other.dtype, other.shape, other.tobytes())
+    assert np.isfinite(found.gradient).all()
+    assert found.log_likelihood.tobytes() == reach(analysis).log_likelihood(batch).tobytes()
 
 
 def test_draws_are_equal_in_bits(reach, analysis, local):

@@ -71,6 +71,7 @@ def likelihood_requests() -> list[bytes]:
     complete = samples(3, calibration_amplitude=errors)
     ours = [encode_likelihood_request(ANALYSIS.digest, batch) for batch in (complete, samples(2))]
     ours.append(encode_likelihood_request(ANALYSIS.digest, samples(2), "draws", np.full((2, 3), 0.5)))
+    ours.append(encode_likelihood_request(ANALYSIS.digest, samples(2), "gradients"))
     by_hand = {"parameters": dict.fromkeys(complete_names(), 1.0), "calibration_phase": {"H1": [[0.0] * 4]}}
     return [*ours, msgspec.msgpack.encode(by_hand)]
 
@@ -78,7 +79,7 @@ def likelihood_requests() -> list[bytes]:
 def likelihood_requests_json() -> list[bytes]:
     """The same in JSON."""
     plain = {"parameters": dict.fromkeys(complete_names(), 1.0)}
-    more = ({}, {"output": "products"}, {"output": "draws", "uniforms": [[0.5, 0.25, 0.0]]})
+    more = ({}, {"output": "products"}, {"output": "gradients"}, {"output": "draws", "uniforms": [[0.5, 0.25, 0.0]]})
     return [msgspec.json.encode(plain | fields) for fields in more]
 
 
@@ -111,7 +112,7 @@ def waveform_answers() -> list[bytes]:
 
 
 def likelihood_answers() -> list[bytes]:
-    """Bodies of answers with log-likelihoods, alone, with products and with draws."""
+    """Bodies of answers with log-likelihoods, alone, with products, with draws and with gradients."""
     plain = {"log_likelihood": np.array([1.0, -np.inf]), "status": np.array([0, 2], np.uint8)}
     products = {"d_inner_h": np.ones((2, 2), complex), "h_inner_h": np.ones((2, 2))}
     return [
@@ -120,7 +121,7 @@ def likelihood_answers() -> list[bytes]:
                 LikelihoodAnswer(**plain, model=IDENTITY, analysis=ANALYSIS.digest, further=further)
             )
         )
-        for further in ({}, products, {"distance_mpc": np.ones(2)})
+        for further in ({}, products, {"distance_mpc": np.ones(2)}, {"gradient": np.ones((2, 13))})
     ]
 
 

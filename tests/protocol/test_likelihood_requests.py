@@ -101,7 +101,7 @@ def test_what_is_wrong_is_refused_alike_in_both_media_types(message, kind):
 
 def test_what_is_asked_for_travels_and_is_left_out_where_it_is_the_log_likelihood_alone():
     numbers = np.random.default_rng(1).random((5, 3))
-    for output, uniforms in (("products", None), ("draws", numbers)):
+    for output, uniforms in (("products", None), ("gradients", None), ("draws", numbers)):
         request = decode_likelihood_request(encode_likelihood_request("sha256:1", BATCH, output, uniforms))
         assert request.output == output
         assert same(request.batch)
@@ -125,7 +125,22 @@ def test_what_else_was_asked_for_comes_back_in_both_media_types():
     assert told["h_inner_h"] == [[4.0, None]] * 2
     drawn = LikelihoodAnswer(**plain, model=MODEL, analysis="x", further={"distance_mpc": np.array([40.0, np.nan])})
     assert decode_likelihood_answer(b"".join(encode_likelihood_answer(drawn))).further["distance_mpc"][0] == 40.0
-    for wrong in ({"distance_mpc": np.zeros(3)}, {"h_inner_h": np.zeros(2)}, {"d_inner_h": np.zeros((2, 2))}):
+    sloped = LikelihoodAnswer(
+        **plain, model=MODEL, analysis="x", further={"gradient": np.array([[1.0, 2.0], [np.nan] * 2])},
+        gradient_names=("mass_ratio", "chi_1"),
+    )  # fmt: skip
+    back = decode_likelihood_answer(b"".join(encode_likelihood_answer(sloped)))
+    assert back.gradient_names == ("mass_ratio", "chi_1")
+    assert back.further["gradient"][0].tolist() == [1.0, 2.0]
+    told = json.loads(encode_likelihood_answer_json(sloped))
+    assert (told["gradient"], told["gradient_names"]) == ([[1.0, 2.0], [None] * 2], ["mass_ratio", "chi_1"])
+    assert b"gradient" not in b"".join(encode_likelihood_answer(answer))
+    for wrong in (
+        {"distance_mpc": np.zeros(3)},
+        {"gradient": np.zeros(2)},
+        {"h_inner_h": np.zeros(2)},
+        {"d_inner_h": np.zeros((2, 2))},
+    ):
         answer = LikelihoodAnswer(**plain, model=MODEL, analysis="x", further=wrong)
         with pytest.raises(UndecodableBody, match="do not fit together"):
             decode_likelihood_answer(b"".join(encode_likelihood_answer(answer)))

@@ -11,7 +11,7 @@ from bnserve_protocol._modes import MOST_MODES, Mode
 from bnserve_protocol._options import DtypeName
 
 OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes", "derivatives"]
-LikelihoodOutput: TypeAlias = Literal["log_likelihood", "products", "draws"]
+LikelihoodOutput: TypeAlias = Literal["log_likelihood", "products", "draws", "gradients"]
 MOST_NAMES = 64
 """Parameters, or detectors: more than a request has, so that the answer can still say which of them is unknown; still
 more are a mistake or an attack, and would take a hundred times the memory of the body."""
@@ -80,6 +80,7 @@ class LikelihoodBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=T
     output
         'products': also inner products by detector, where all parameters have to be given and nothing is integrated.
         'draws': also a draw of what is integrated over, made of 'uniforms'; 'log_likelihood' is the one there.
+        'gradients': also the derivatives of 'log_likelihood' with respect to what is not integrated over.
     uniforms
         [N, 3], with 'draws': numbers uniform in [0, 1), for the time, the phase and the distance.
     """
@@ -108,6 +109,9 @@ class LikelihoodAnswerBody(msgspec.Struct, kw_only=True):
         'status' is not 0.
     coalescence_time, reference_phase, distance_mpc
         [N], with 'draws': those that the analysis integrates over.
+    gradient, gradient_names
+        [N, P], with 'gradients': derivatives of 'log_likelihood', NaN, in JSON null, wherever 'status' is not 0; and
+        the P names of what they are with respect to: parameters, then errors at calibration nodes.
     """
 
     model: ModelIdentity
@@ -119,3 +123,5 @@ class LikelihoodAnswerBody(msgspec.Struct, kw_only=True):
     coalescence_time: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
     reference_phase: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
     distance_mpc: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    gradient: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    gradient_names: tuple[str, ...] = ()

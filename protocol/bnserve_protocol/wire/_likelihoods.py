@@ -21,7 +21,7 @@ from bnserve_protocol.wire._bodies import LikelihoodAnswerBody, LikelihoodBody, 
 from bnserve_protocol.wire._envelope import JSON, MSGPACK, UNREADABLE, check_keys, map_header, read_map, undecodable
 from bnserve_protocol.wire._waveform_answers import json_value
 
-_FURTHER: dict[str, str] = {"d_inner_h": "<c16", "h_inner_h": "<f8"} | dict.fromkeys(DRAWN_NAMES, "<f8")
+_FURTHER = {"d_inner_h": "<c16"} | dict.fromkeys(("h_inner_h", "gradient", *DRAWN_NAMES), "<f8")
 _NOTHING: Mapping[str, NDArray[Any]] = MappingProxyType({})
 
 
@@ -42,7 +42,8 @@ class LikelihoodAnswer(msgspec.Struct, frozen=True, kw_only=True):
 
     ``log_likelihood`` is float64 ``(N,)``, the logarithm of the ratio to the likelihood of no signal; -inf wherever
     ``status``, uint8 ``(N,)``, is not :attr:`RowStatus.OK`. ``model`` evaluated the analysis of digest ``analysis``.
-    ``further``: what else was asked for, as in :class:`.LikelihoodAnswerBody`.
+    ``further``: what else was asked for, as in :class:`.LikelihoodAnswerBody`; ``gradient_names`` are those of the
+    columns of its ``gradient``.
     """
 
     log_likelihood: NDArray[np.float64]
@@ -50,6 +51,7 @@ class LikelihoodAnswer(msgspec.Struct, frozen=True, kw_only=True):
     model: ModelIdentity
     analysis: str
     further: Mapping[str, NDArray[Any]] = _NOTHING
+    gradient_names: tuple[str, ...] = ()
 
 
 _MOST_PLAIN_BYTES = 2**20
@@ -203,8 +205,12 @@ def _rows(reader: _Reader, raw: msgspec.Raw, names: list[str]) -> NDArray[np.flo
 
 def encode_likelihood_answer(answer: LikelihoodAnswer, keys: ArrayKeys = "text") -> list[bytes | memoryview]:
     """Write an answer as a list of buffers; array memory is not copied. Joined, they are one MessagePack map."""
-    head = map_header(4 + len(answer.further)) + msgspec.msgpack.encode("model") + msgspec.msgpack.encode(answer.model)
+    named = bool(answer.gradient_names)
+    head = map_header(4 + named + len(answer.further))
+    head += msgspec.msgpack.encode("model") + msgspec.msgpack.encode(answer.model)
     head += msgspec.msgpack.encode("analysis") + msgspec.msgpack.encode(answer.analysis)
+    if named:
+        head += msgspec.msgpack.encode("gradient_names") + msgspec.msgpack.encode(answer.gradient_names)
     parts: list[bytes | memoryview] = [head]
     always: dict[str, NDArray[Any]] = {"log_likelihood": answer.log_likelihood, "status": answer.status}
     for name, array in (always | dict(answer.further)).items():
@@ -222,6 +228,7 @@ def encode_likelihood_answer_json(answer: LikelihoodAnswer) -> bytes:
             "log_likelihood": answer.log_likelihood.tolist(),
             "status": answer.status.tolist(),
         }
+        | ({"gradient_names": answer.gradient_names} if answer.gradient_names else {})
         | {name: json_value(array) for name, array in answer.further.items()}
     )
 
@@ -247,8 +254,9 @@ def decode_likelihood_answer(body: bytes | memoryview) -> LikelihoodAnswer:
         name: _further(name, raw, len(values)) for name, raw in raws.items() if not isinstance(raw, msgspec.UnsetType)
     }
     return LikelihoodAnswer(
-        log_likelihood=values, status=status, model=wire.model, analysis=wire.analysis, further=further
-    )
+        log_likelihood=values, status=status, model=wire.model, analysis=wire.analysis, further=further,
+        gradient_names=wire.gradient_names,
+    )  # fmt: skip
 
 
 def _further(name: str, raw: msgspec.Raw, rows: int) -> NDArray[Any]:

@@ -1,5 +1,5 @@
 """Questions for log-likelihoods of an uploaded analysis: parameters there, eight bytes and a status per row back, and
-inner products by detector, or draws of what is integrated over, where they are asked for."""
+gradients, inner products by detector, or draws of what is integrated over, where they are asked for."""
 
 from __future__ import annotations
 
@@ -17,6 +17,7 @@ from bnserve_protocol import (
     TooLarge,
     WaveformModel,
     check_model_of,
+    gradient_names,
     integrated_names,
     likelihood_samples,
 )
@@ -40,7 +41,7 @@ _BYTES_PER_ROW = 9
 """Of an answer: a float64 and a status."""
 _BYTES_OF_PRODUCTS = 24
 """Of a row in each detector: a complex128 and a float64."""
-_WORK: dict[LikelihoodOutput, int] = {"log_likelihood": 1, "products": 2, "draws": 8}
+_WORK: dict[LikelihoodOutput, int] = {"log_likelihood": 1, "gradients": 4, "products": 2, "draws": 8}
 """Of a row, in that of its log-likelihood: with products the model is asked for each detector, and a draw evaluates the
 likelihood at some more times, phases and distances."""
 
@@ -143,6 +144,10 @@ class Likelihoods(Kind[LikelihoodQuestion]):
         batch, output = asked.batch, asked.output
         if output == "draws" and not integrated_names(analysis.settings):
             raise InvalidRequest("The analysis integrates over nothing that could be drawn: ask for its products.")
+        if output == "gradients" and not hasattr(model.model, "predict_derivatives"):
+            raise InvalidRequest(
+                f"The model '{model.identity.name}' does not say that it has derivatives: ask for log-likelihoods."
+            )
         samples = likelihood_samples(analysis)
         _check_sizes(len(batch), samples, self._limits)
         nodes = tuple((name, array.shape[1]) for name, array in batch.calibration_amplitude.items())
@@ -183,6 +188,7 @@ class Likelihoods(Kind[LikelihoodQuestion]):
             model=question.model.identity,
             analysis=question.stored.analysis.digest,
             further={name: array for name, array in arrays.items() if name not in ("log_likelihood", "status")},
+            gradient_names=_columns(question.stored.analysis, question.output),
         )
         if question.answer_type == JSON:
             return [encode_likelihood_answer_json(answer)]
@@ -195,6 +201,9 @@ def _evaluated(
     output: LikelihoodOutput,
     uniforms: Sequence[NDArray[np.float64] | None],
 ) -> Arrays:
+    if output == "gradients":
+        values, gradient, _, status = likelihood.gradients(batch)
+        return {"log_likelihood": values, "status": status, "gradient": gradient}
     if output == "products":
         found = likelihood.products(batch)
         return {
@@ -211,9 +220,15 @@ def _evaluated(
     return {"log_likelihood": values, "status": status}
 
 
+def _columns(analysis: Analysis, output: LikelihoodOutput) -> tuple[str, ...]:
+    return gradient_names(analysis.settings) if output == "gradients" else ()
+
+
 def _bytes_per_row(analysis: Analysis, output: LikelihoodOutput) -> int:
     if output == "products":
         return _BYTES_PER_ROW + _BYTES_OF_PRODUCTS * len(analysis.settings.detectors)
+    if output == "gradients":
+        return _BYTES_PER_ROW + 8 * len(gradient_names(analysis.settings))
     return _BYTES_PER_ROW + (8 * len(integrated_names(analysis.settings)) if output == "draws" else 0)
 
 
