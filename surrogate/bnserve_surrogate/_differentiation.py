@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -64,12 +65,25 @@ def _slopes(modes: tuple[Mode, ...], inclination: Floats) -> tuple[Floats, NDArr
     c, s = np.cos(inclination), np.sin(inclination)
     plus, cross = np.empty((len(c), len(modes))), np.zeros((len(c), len(modes)), np.complex128)
     for place, mode in enumerate(modes):
-        even, odd = harmonic(*mode).copy(), harmonic(*mode).copy()
-        even[1::2] = 0.0
-        odd[::2] = 0.0
         found = []
-        for polynomial in (np.polynomial.Polynomial(even), np.polynomial.Polynomial(odd)):
-            own, slope = polynomial(c), -s * polynomial.deriv()(c)
-            found.append(c * own + s * slope if mode[1] % 2 else slope)
+        for coefficients, slopes in _parts(mode):
+            slope = -s * _value(slopes, c)
+            found.append(c * _value(coefficients, c) + s * slope if mode[1] % 2 else slope)
         plus[:, place], cross.imag[:, place] = found[0], -found[1]
     return plus, cross
+
+
+@functools.cache
+def _parts(mode: Mode) -> tuple[tuple[Floats, Floats], tuple[Floats, Floats]]:
+    """Coefficients of the even and the odd part of a harmonic's polynomial, and of their derivatives."""
+    even, odd = harmonic(*mode), harmonic(*mode)
+    even[1::2], odd[::2] = 0.0, 0.0
+    return (even, np.arange(1, 5) * even[1:]), (odd, np.arange(1, 5) * odd[1:])
+
+
+def _value(coefficients: Floats, x: Floats) -> Floats:
+    """A polynomial at x."""
+    total = np.full_like(x, coefficients[-1])
+    for coefficient in coefficients[-2::-1]:
+        total = total * x + coefficient
+    return total

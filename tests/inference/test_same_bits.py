@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from bnserve_inference import likelihood
+from bnserve_inference.fisher_kernel import build as forecasts
+from bnserve_inference.fisher_kernel._assembly import ASSEMBLY as FORECASTS
 from bnserve_inference.kernel import build as one_mode
 from bnserve_inference.kernel._contraction import ASSEMBLY as ONE_MODE
 from bnserve_inference.modes_kernel import build as several_modes
@@ -102,7 +104,8 @@ def test_an_analysis_that_travelled_gives_the_same_bits(model, data):
 
 
 @pytest.mark.parametrize(
-    ("assembly", "build"), [(ONE_MODE, one_mode), (SEVERAL_MODES, several_modes), (MOVING, moving)]
+    ("assembly", "build"),
+    [(ONE_MODE, one_mode), (SEVERAL_MODES, several_modes), (MOVING, moving), (FORECASTS, forecasts)],
 )
 def test_the_compiled_contractions_are_of_these_sources(assembly, build):
     first_line = assembly.read_text().split("\n", 1)[0]

@@ -8,6 +8,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import bnserve_inference.fisher._factorisation as fisher
+import bnserve_inference.fisher_kernel._assembly as factorisation
 import bnserve_inference.kernel._contraction as contraction
 import bnserve_inference.modes_kernel._contraction as contraction_of_modes
 import bnserve_inference.moving_kernel._contraction as contraction_of_moving
@@ -16,6 +18,7 @@ import bnserve_surrogate.kernel._loader as loader
 import bnserve_surrogate.precession._twist as precession
 import bnserve_surrogate.tangents._call as tangents
 from bnserve_inference import Detector, likelihood
+from bnserve_inference.fisher import Network, NoiseCurve, forecast
 from bnserve_protocol import Calibration, EvaluationOptions, ParameterBatch
 from bnserve_surrogate import Model
 from bnserve_surrogate.kernel.build import TOOLCHAIN_PREFIX, toolchain
@@ -135,3 +138,17 @@ def test_the_contraction_of_moving_detectors_is_what_its_sources_compile_to(tmp_
         with monkeypatch.context() as patch:
             patch.setattr(contraction_of_moving, "load_contraction", lambda: again)
             assert_close(shipped, ours.log_likelihood(given))
+
+
+def test_the_factorisation_of_forecasts_is_what_its_sources_compile_to(tmp_path, monkeypatch):
+    file = rebuilt("bnserve_inference.fisher_kernel.build", factorisation.ASSEMBLY, tmp_path)
+    again = loader.load_assembly(file, factorisation.ENTRY_POINT, vectorise=False)
+    sites, curve = ["H1", Detector.named("CE40", finite_arms=True)], NoiseCurve.named("CE40")
+    own, samples = Network(sites, [curve, curve], 10.0, 1000.0, 1187008882.4), columns(5) | {"distance_mpc": 100.0}
+    shipped = forecast(Model.default(), own, samples)
+    with monkeypatch.context() as patch:
+        patch.setattr(fisher, "load_factorisation", lambda: again)
+        anew = forecast(Model.default(), own, samples)
+    assert_close(shipped.snr, anew.snr)
+    for one, other in zip(shipped.root, anew.root, strict=True):
+        assert_close(one, other)

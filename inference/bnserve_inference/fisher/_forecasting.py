@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._modes import QUADRUPOLE, chosen_modes, orders
-from bnserve_inference.fisher._matrix import LARGEST_CONDITION, Forecast, condition, triangular, with_priors
+from bnserve_inference.fisher._factorisation import Factorisation
+from bnserve_inference.fisher._matrix import LARGEST_CONDITION, Forecast, condition
 from bnserve_inference.fisher._network import Network
 from bnserve_inference.fisher._nodes import nodes_of
-from bnserve_inference.fisher._signals import NAMES, SKY, Signals
 from bnserve_protocol import (
     DERIVATIVE_NAMES,
     PARAMETER_NAMES,
@@ -38,8 +38,13 @@ COORDINATES = (
     "inclination", "reference_phase", "coalescence_time",
 )  # fmt: skip
 """Of a binary, to which those of its place in the sky come."""
-_NUMBERS = 2**19
-"""Complex numbers of derivatives at once: 8 MiB, which stay near the processor."""
+SKY = ("right_ascension", "declination", "polarization_angle")
+NAMES = (*(name if name != "time_shift" else "coalescence_time" for name in PARAMETER_NAMES), *SKY)
+"""Of a signal, in the order of its derivatives: 13."""
+_NUMBERS = 2**18
+"""Complex numbers of derivatives at once: 4 MiB, which stay near the processor."""
+_ROWS = 1024
+"""Whose coordinates are found at once."""
 
 
 class Differentiable(Protocol):
@@ -114,43 +119,43 @@ def forecast(
             )
     modes = chosen_modes(options.modes, model.description)
     nodes = nodes_of(network, orders(modes))
-    signals = Signals(network, nodes, modes)
+    factorisation = Factorisation(network, nodes, modes)
+    inverse_widths = [(names.index(name), 1.0 / width) for name, width in widths.items()]
     asked = EvaluationOptions(modes=modes, alignment=options.alignment, out_of_domain="flag")  # type: ignore[arg-type]
-    size = max(1, _NUMBERS // (len(nodes.frequencies) * len(NAMES) * len(network.sites)))
-    roots, squares, status = [], [], []
-    for start in range(0, len(batch), size):
-        part = batch.rows(slice(start, start + size))
-        found = model.predict_derivatives(nodes.frequencies, part.waveform_batch(), options=asked)
-        tangents, own = signals.whitened(found, part)
-        jacobian = _jacobian(part, options.coordinates, found.status)
-        if (good := found.status == RowStatus.OK).any():
-            held = _held(model, part.rows(np.flatnonzero(good)), options)
-            jacobian[good] = held @ jacobian[good]
-        roots.append(triangular(with_priors(jacobian.swapaxes(1, 2) @ tangents, names, widths)))
-        squares.append(own)
-        status.append(found.status)
+    size = max(1, _NUMBERS // (len(nodes.frequencies) * len(modes) * len(DERIVATIVE_NAMES)))
+    roots, squares = [np.zeros((0, len(names), len(names)))], [np.zeros((0, len(network.noise)))]
+    status = [np.zeros(0, np.uint8)]
+    for block in batch.split(_ROWS):
+        jacobian = _jacobian(model, block, options)
+        for start in range(0, len(block), size):
+            rows = slice(start, start + size)
+            part = block.rows(rows)
+            found = model.predict_derivatives(nodes.frequencies, part.waveform_batch(), options=asked)
+            factored = factorisation(found, part, jacobian[rows], inverse_widths)
+            roots.append(factored.root)
+            squares.append(factored.squares)
+            status.append(found.status)
     return _forecast(names, model, batch, np.concatenate(roots), np.concatenate(squares), np.concatenate(status))
 
 
-def _held(model: Differentiable, part: LikelihoodBatch, options: ForecastOptions) -> Floats:
-    """What keeps the phase of the (2, 2) at the reference frequency while other parameters change: ``(N, 13, 13)``."""
-    alone = EvaluationOptions(modes=(QUADRUPOLE,), alignment=options.alignment)  # type: ignore[arg-type]  # checked there
-    there = model.predict_derivatives(np.array([options.reference_frequency]), part.waveform_batch(), options=alone)
-    slopes = (there.derivatives[:, 0, :, 0] / there.h[:, 0]).imag
-    out = np.broadcast_to(np.eye(len(NAMES)), (len(part), len(NAMES), len(NAMES))).copy()
-    for place, name in enumerate(DERIVATIVE_NAMES):
-        out[:, NAMES.index("reference_phase"), NAMES.index(name)] = -slopes[:, place]
-    return out
+def _jacobian(model: Differentiable, block: LikelihoodBatch, options: ForecastOptions) -> Floats:
+    """Of parameters by coordinates, ``(N, 13, 13)``: those of the sky are kept. Rows that are not evaluated stand for
+    nothing.
 
-
-def _jacobian(part: LikelihoodBatch, coordinates: Sequence[str], status: NDArray[np.uint8]) -> Floats:
-    """Of all 13: those of the sky are kept. Rows that are not evaluated stand for nothing."""
-    plain = tuple("time_shift" if name == "coalescence_time" else name for name in coordinates)
-    out = np.zeros((len(part), len(NAMES), len(NAMES)))
-    count, good = len(PARAMETER_NAMES), status == RowStatus.OK
+    The phase of the (2, 2) at the reference frequency is held while other coordinates change.
+    """
+    plain = tuple("time_shift" if name == "coalescence_time" else name for name in options.coordinates)
+    alone = EvaluationOptions(modes=(QUADRUPOLE,), alignment=options.alignment, out_of_domain="flag")  # type: ignore[arg-type]  # checked there
+    there = model.predict_derivatives(np.array([options.reference_frequency]), block.waveform_batch(), options=alone)
+    good = np.flatnonzero(there.status == RowStatus.OK)
+    out, count = np.zeros((len(block), len(NAMES), len(NAMES))), len(PARAMETER_NAMES)
     out[:, range(count, len(NAMES)), range(count, len(NAMES))] = 1.0
-    if good.any():
-        out[good, :count, :count] = coordinate_jacobian(part.waveform_batch().rows(np.flatnonzero(good)), plain)
+    if not len(good):
+        return out
+    out[good, :count, :count] = coordinate_jacobian(block.waveform_batch().rows(good), plain)
+    slopes = (there.derivatives[good, 0, :, 0] / there.h[good, 0]).imag
+    changes = out[good][:, [NAMES.index(name) for name in DERIVATIVE_NAMES]]
+    out[good, NAMES.index("reference_phase")] -= (slopes[:, :, None] * changes).sum(axis=1)
     return out
 
 

@@ -7,19 +7,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference._modes import chosen_modes, options_for, orders
+from bnserve_inference._modes import QUADRUPOLE, chosen_modes, options_for, orders
+from bnserve_inference.fisher._factorisation import Factorisation
 from bnserve_inference.fisher._forecasting import ForecastOptions
-from bnserve_inference.fisher._gauss import slopes
 from bnserve_inference.fisher._network import Network
 from bnserve_inference.fisher._nodes import WIDE, Nodes, nodes_of
-from bnserve_inference.fisher._signals import Signals
-from bnserve_protocol import LikelihoodBatch, LikelihoodBatchLike, Mode, ParameterBatch, RowStatus, WaveformModel
+from bnserve_protocol import LikelihoodBatch, LikelihoodBatchLike, Mode, ParameterBatch, WaveformModel
 
 Floats = NDArray[np.float64]
 
 _DEFAULTS = ForecastOptions()
-_NUMBERS = 2**17
-"""Complex numbers of modes at once: 2 MiB, which stay near the processor."""
+_NUMBERS = 2**18
+"""Complex numbers of modes at once: 4 MiB, which stay near the processor."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,7 +62,7 @@ def signal_to_noise(
     batch = LikelihoodBatch.coerce(samples)
     modes = chosen_modes(options.modes, model.description)
     nodes = nodes_of(network, orders(modes), WIDE)
-    signals = Signals(network, nodes, modes)
+    factorisation = Factorisation(network, nodes, modes)
     size = max(1, _NUMBERS // (len(nodes.frequencies) * len(modes)))
     squares, status = [np.zeros((0, len(network.noise)))], [np.zeros(0, np.uint8)]
     for start in range(0, len(batch), size):
@@ -71,28 +70,22 @@ def signal_to_noise(
         waveforms = part.waveform_batch()
         asked = options_for(model, modes, alignment=options.alignment, out_of_domain="flag")
         found = model.predict_modes(nodes.frequencies, waveforms, options=asked)
-        passing = passing_times(model, nodes, waveforms, modes, options.alignment) if network.moving else None
-        own = signals.squares(found, passing, part)
-        own[found.status != RowStatus.OK] = np.nan
-        squares.append(own)
+        phases = _phases(model, nodes, waveforms, modes, options.alignment) if network.moving else None
+        squares.append(factorisation.squares(found, phases, part))
         status.append(found.status)
     whole = np.concatenate(squares)
     return SignalToNoise(np.sqrt(whole.sum(axis=1)), np.sqrt(whole), np.concatenate(status))
 
 
-def passing_times(
+def _phases(
     model: WaveformModel, nodes: Nodes, batch: ParameterBatch, modes: tuple[Mode, ...], alignment: str
 ) -> Floats:
-    """When the modes of each of G orders pass the nodes, in seconds from the coalescence: ``(N, G, K)``.
-
-    As of :func:`bnserve_inference._passing.passing_times`, by the polynomials through the phase in each panel.
-    """
-    f = nodes.frequencies[nodes.places]
-    matrices = slopes(np.log(f)) / (-2.0 * np.pi * f[:, :, None])
-    found = np.empty((len(batch), len(orders(modes)), len(nodes.frequencies)))
-    for place, order in enumerate(orders(modes)):
-        leading = min(mode for mode in modes if mode[1] == order)
-        asked = options_for(model, (leading,), alignment=alignment, out_of_domain="flag")
-        phase = model.predict_amplitude_phase(nodes.frequencies, batch, options=asked).phase[:, nodes.places]
-        found[:, place, nodes.places] = np.matmul(matrices, phase[..., None])[..., 0]
-    return found
+    """Phases that say when the modes of each of G orders m pass the nodes, radians, ``(N, G, K)``: when the (2, 2)
+    passes 2 f / m, within a millisecond, in which the Earth turns by 1e-7 rad."""
+    different = orders(modes)
+    asked = np.array([QUADRUPOLE[1] / order for order in different])[:, None] * nodes.frequencies
+    f, places = np.unique(asked, return_inverse=True)
+    options = options_for(model, (QUADRUPOLE,), alignment=alignment, out_of_domain="flag")
+    phase = model.predict_amplitude_phase(f, batch, options=options).phase
+    turns = np.array(different)[:, None] / QUADRUPOLE[1]
+    return np.asarray(turns * phase[:, places.reshape(asked.shape)])

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -82,28 +81,6 @@ class Forecast:
         return np.asarray(-2.0 * np.pi * np.log1p(-level) * np.cos(declination) * area * _DEGREES)
 
 
-def triangular(tangents: Floats) -> Floats:
-    """R of a QR factorisation of P columns of real numbers, ``(N, P, R)`` to ``(N, P, P)``.
-
-    By Cholesky factors of two Gram matrices, the second of columns that the first has made nearly orthonormal (Yamamoto
-    et al. 2015, "CholeskyQR2"): as exact as Householder's, and a product of matrices. Where the first fails because
-    columns depend on each other, Householder's it is.
-    """
-    gram = tangents @ tangents.swapaxes(1, 2)
-    scale = np.sqrt(np.einsum("npp->np", gram))
-    scale = np.where((scale > 0.0) & np.isfinite(scale), scale, 1.0)
-    try:
-        first = np.linalg.cholesky(gram / (scale[:, :, None] * scale[:, None])) * scale[:, :, None]
-        better = np.linalg.inv(first) @ tangents
-        second = np.linalg.cholesky(better @ better.swapaxes(1, 2))
-    except np.linalg.LinAlgError:
-        if len(tangents) > 1:
-            return np.concatenate([triangular(row[None]) for row in tangents])
-        columns = np.nan_to_num(tangents / scale[:, :, None]).swapaxes(1, 2)
-        return np.asarray(np.linalg.qr(columns, mode="r") * scale[:, None])
-    return np.asarray((first @ second).swapaxes(1, 2))
-
-
 def condition(root: Floats) -> Floats:
     """Condition number of the squares of R with a unit diagonal, ``(N,)``."""
     scale = np.sqrt((root**2).sum(axis=1))
@@ -113,13 +90,3 @@ def condition(root: Floats) -> Floats:
     with np.errstate(divide="ignore"):
         found = (values[:, 0] / values[:, -1]) ** 2
     return np.asarray(np.where(good, found, np.inf))
-
-
-def with_priors(tangents: Floats, names: tuple[str, ...], widths: Mapping[str, float]) -> Floats:
-    """A number more for each Gaussian prior: one over its width."""
-    if not widths:
-        return tangents
-    more = np.zeros((len(tangents), len(names), len(widths)))
-    for place, (name, width) in enumerate(widths.items()):
-        more[:, names.index(name), place] = 1.0 / width
-    return np.concatenate([tangents, more], axis=2)

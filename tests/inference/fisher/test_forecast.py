@@ -9,10 +9,11 @@ import pytest
 from bnserve_inference import Detector, detector_strain
 from bnserve_inference._modes import orders
 from bnserve_inference.fisher import COORDINATES, ForecastOptions, Network, NoiseCurve, forecast, signal_to_noise
+from bnserve_inference.fisher._factorisation import Factorisation
+from bnserve_inference.fisher._forecasting import NAMES
 from bnserve_inference.fisher._gauss import gauss, slopes
-from bnserve_inference.fisher._matrix import condition, triangular
+from bnserve_inference.fisher._matrix import condition
 from bnserve_inference.fisher._nodes import Nodes, nodes_of
-from bnserve_inference.fisher._signals import NAMES, Signals
 from bnserve_protocol import (
     AnalysisInvalid,
     EvaluationOptions,
@@ -61,17 +62,22 @@ def panels_of(own, f, weights):
     return Nodes(f, places, scaled, np.zeros(count, np.int64), np.zeros(count, bool))
 
 
-def of_signals(model, own, modes, at):
-    """Derivatives of signals in each detector before they are whitened, ``(14, K)``."""
-    nodes = panels_of(own, at, np.ones(len(at)))
-    signals = Signals(own, nodes, modes)
-    batch = LikelihoodBatch.coerce(BINARY)
+def factored(model, own, modes, nodes, batch, **options):
+    """Triangles and whitened derivatives in the parameters themselves."""
     found = model.predict_derivatives(
-        at, batch.waveform_batch(), options=EvaluationOptions(alignment="merger", modes=modes)
+        nodes.frequencies, batch.waveform_batch(), options=EvaluationOptions(alignment="merger", modes=modes)
     )
-    tangents, _ = signals.whitened(found, batch)
-    shaped = tangents[0].view(np.complex128).reshape(len(NAMES), len(own.sites), len(at))
-    return shaped / np.array(signals.scales)[:, :]
+    same = np.broadcast_to(np.eye(len(NAMES)), (len(batch), len(NAMES), len(NAMES)))
+    return Factorisation(own, nodes, modes)(found, batch, same, **options)
+
+
+def of_signals(model, own, modes, at):
+    """Derivatives of signals in each detector before they are whitened, ``(13, D, K)``."""
+    nodes = panels_of(own, at, np.ones(len(at)))
+    whitened = factored(model, own, modes, nodes, LikelihoodBatch.coerce(BINARY), whitened=True).whitened[0]
+    real, imaginary = np.moveaxis(whitened.reshape(-1, len(own.sites), 2, len(NAMES), 8), 2, 0)
+    shaped = np.moveaxis(real + 1j * imaginary, 0, 2).reshape(len(own.sites), len(NAMES), len(at)).swapaxes(0, 1)
+    return shaped / np.sqrt(4.0 * nodes.weights.ravel()) * np.exp(-2j * np.pi * at * BINARY.coalescence_time)
 
 
 def by_differences(model, detector, at, name, modes, response):
@@ -105,12 +111,9 @@ def test_derivatives_are_those_of_the_signal(model, sites, response):
             assert error < (5e-5 if response == "moving" else 5e-6), name
 
 
-def root_on(model, own, modes, nodes, names=COORDINATES):
-    batch = LikelihoodBatch.coerce(BINARY)
-    found = model.predict_derivatives(
-        nodes.frequencies, batch.waveform_batch(), options=EvaluationOptions(alignment="merger", modes=modes)
-    )
-    return Signals(own, nodes, modes).whitened(found, batch)[0][0]
+def matrix_on(model, own, modes, nodes):
+    [root] = factored(model, own, modes, nodes, LikelihoodBatch.coerce(BINARY)).root
+    return root.T @ root
 
 
 @pytest.mark.parametrize("modes", [((2, 2),), ((2, 1), (2, 2), (3, 3), (4, 4))], ids=["one", "several"])
@@ -125,11 +128,10 @@ def test_integrals_are_those_of_a_dense_grid(model, modes):
     f = np.geomspace(22.0, 1900.0, 160_000)
     weights = np.gradient(f)
     weights[[0, -1]] = 0.5 * np.abs(np.diff(f)[[0, -1]])
-    dense = root_on(model, own, modes, panels_of(own, f, weights))
-    ours = root_on(model, own, modes, nodes_of(own, orders(modes)))
-    expected, found = dense @ dense.T, ours @ ours.T
+    expected = matrix_on(model, own, modes, panels_of(own, f, weights))
+    found = matrix_on(model, own, modes, nodes_of(own, orders(modes)))
     scale = np.sqrt(np.diag(expected))
-    assert np.abs((found - expected) / np.outer(scale, scale)).max() < 2e-6
+    assert np.abs((found - expected) / np.outer(scale, scale)).max() < 1e-6
 
 
 def test_panels_integrate_what_is_smooth_over_noise_that_is_not():
@@ -243,15 +245,49 @@ def test_what_is_no_network_or_prior_is_refused(model):
         forecast(model, network(), BINARY, ForecastOptions(coordinates=("chirp", *COORDINATES[1:])))
 
 
-def test_factors_are_those_of_householder():
-    random = np.random.default_rng(1)
-    columns = random.standard_normal((4, 5, 300))
-    columns[:, 4] = columns[:, 3] + 1e-6 * columns[:, 4]
-    ours = triangular(columns)
-    for row, own in zip(columns, ours, strict=True):
-        expected = np.linalg.qr(row.T, mode="r")
-        np.testing.assert_allclose(np.abs(own), np.abs(expected), rtol=1e-8, atol=1e-9)
-    assert np.isinf(condition(triangular(np.zeros((1, 3, 10)))))[0]
+ALL = ((2, 1), (2, 2), (3, 1), (3, 2), (3, 3), (4, 3), (4, 4))
+
+
+@pytest.mark.parametrize("modes", [((2, 2),), ALL], ids=["one", "all"])
+@pytest.mark.parametrize("detectors", [["H1"], ["E1", "E2", "E3", "H1", "L1", "V1"]], ids=len)
+def test_triangles_are_those_of_a_qr_factorisation(model, modes, detectors):
+    """With orders apart and together; of more detectors than are folded at once, too."""
+    own, batch = network(detectors), LikelihoodBatch.coerce(BINARY)
+    found = factored(model, own, modes, nodes_of(own, orders(modes)), batch, whitened=True)
+    rows = found.whitened[0].swapaxes(1, 2).reshape(-1, len(NAMES))
+    scale = np.sqrt((rows**2).sum(axis=0))
+    expected = np.abs(np.linalg.qr(rows / scale, mode="r"))
+    np.testing.assert_allclose(np.abs(found.root[0] / scale), expected, rtol=1e-6, atol=1e-13)
+    assert (np.diag(found.root[0]) >= 0.0).all()
+    assert (np.tril(found.root[0], -1) == 0.0).all()
+
+
+def test_priors_are_rows_more(model):
+    own, batch = network(), LikelihoodBatch.coerce(BINARY)
+    plain, narrow = (
+        forecast(model, own, batch, ForecastOptions(priors=priors))
+        for priors in (None, {"lambda_tilde": 3.0, "inclination": 0.1})
+    )
+    more = np.zeros(len(NAMES))
+    more[[plain.names.index(name) for name in ("lambda_tilde", "inclination")]] = 1.0 / 9.0, 100.0
+    np.testing.assert_allclose(narrow.matrix[0], plain.matrix[0] + np.diag(more), rtol=1e-9)
+
+
+def test_a_row_is_the_same_bits_in_any_batch(model):
+    values = LikelihoodBatch.coerce(BINARY).values.repeat(9, axis=0)
+    batch = LikelihoodBatch(values.copy())
+    batch["mass_ratio"][:] = np.linspace(1.0, 2.0, 9)
+    own = network(["E1", "H1"])
+    whole, alone = forecast(model, own, batch), signal_to_noise(model, own, batch)
+    for row in (0, 4, 8):
+        [one] = batch.rows(slice(row, row + 1)).split(1)
+        assert forecast(model, own, one).root.tobytes() == whole.root[row].tobytes()
+        assert signal_to_noise(model, own, one).detector_snr.tobytes() == alone.detector_snr[row].tobytes()
+
+
+def test_a_direction_that_changes_nothing_has_no_condition():
+    assert np.isinf(condition(np.zeros((1, 3, 3)))[0])
+    assert condition(np.eye(3)[None])[0] == pytest.approx(1.0)
 
 
 @pytest.mark.parametrize(("name", "best"), [("ET-D", 3.19e-25), ("CE40", 7.76e-26), ("CE20", 1.74e-25)])

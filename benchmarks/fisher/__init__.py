@@ -1,0 +1,1 @@
+"""Forecasts: how many a second."""
