@@ -16,7 +16,7 @@ from bnserve_protocol.wire._arrays import result_memory
 
 Floats = NDArray[np.float64]
 
-_TOGETHER = 8192
+_TOGETHER = 16384
 """Complex numbers of a mode that are multiplied together, so that what is between stays near the processor."""
 
 

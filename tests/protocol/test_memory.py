@@ -76,6 +76,21 @@ def test_what_is_kept_is_bounded():
     assert 0 < memory.kept <= 2**27
 
 
+def test_what_nobody_asks_for_again_makes_room():
+    """A process that went on to larger results does not touch fresh memory for each because of the smaller ones."""
+    memory = ResultMemory()
+    early = [memory.empty((2**24,), "u1") for _ in range(8)]
+    del early
+    gc.collect()
+    late = memory.empty((3 * 2**25,), "u1")
+    del late
+    gc.collect()
+    before = memory.kept
+    assert before <= 2**27
+    again = memory.empty((3 * 2**25,), "u1")
+    assert before - memory.kept >= len(again)
+
+
 def test_threads_never_share_a_block():
     memory, failures = ResultMemory(), []
 

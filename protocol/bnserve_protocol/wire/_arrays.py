@@ -94,8 +94,11 @@ class ResultMemory:
         return fresh[-fresh.ctypes.data % _ALIGNMENT :]
 
     def _give_back(self, block: NDArray[np.uint8]) -> None:
-        if self.kept + len(block) <= _MOST_KEPT:
-            self._free[id(block)] = block
+        for number in list(self._free):  # what nobody wanted for the longest time goes
+            if self.kept + len(block) <= _MOST_KEPT:
+                break
+            self._free.pop(number, None)
+        self._free[id(block)] = block
 
 
 result_memory = ResultMemory()
