@@ -12,7 +12,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._draws import Draws
-from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0
+from bnserve_inference._gradients import Gradients, Marginal
+from bnserve_inference._marginalisation import DistanceIntegral, bessel_ratio, log_bessel_i0
 from bnserve_inference._modes import modes_of, orders
 from bnserve_inference._phase_integral import FIXED, PhaseIntegral
 from bnserve_inference._products import ProductsByDetector
@@ -20,10 +21,8 @@ from bnserve_inference._rows import check_batch, row_statuses
 from bnserve_inference._signals import Tile, signals_of
 from bnserve_inference._time_integral import TimeIntegral
 from bnserve_protocol import (
-    LIKELIHOOD_NAMES,
     Analysis,
     DetectorProducts,
-    InvalidRequest,
     InvalidRows,
     Likelihood,
     LikelihoodBatch,
@@ -37,7 +36,6 @@ from bnserve_protocol import (
     WaveformModel,
     check_invalid_rows,
     check_model_of,
-    gradient_names,
     integrated_names,
     random_numbers,
     refuse_rows,
@@ -150,7 +148,7 @@ class LocalLikelihood:
         return LikelihoodValues(result, status)
 
     def gradients(self, batch: LikelihoodBatchLike) -> LikelihoodGradients:
-        """As :meth:`evaluate`, with the gradient of every row, ``(N, P)``, in the parameters that are sampled.
+        """As :meth:`evaluate`, with the exact gradient of every row, ``(N, P)``, in the parameters that are sampled.
 
         Raises
         ------
@@ -159,29 +157,17 @@ class LocalLikelihood:
         InvalidRequest
             The model has no derivatives.
         """
-        if not hasattr(self._model, "predict_derivatives"):
-            raise InvalidRequest(
-                f"The model '{self._model.description.name}' does not say that it has derivatives: ask for "
-                "log-likelihoods."
-            )
+        differentiated = self._gradients
         coerced = samples_of(batch, self._analysis.settings)
-        values, status = self.evaluate(coerced)
-        names = gradient_names(self._analysis.settings)
-        gradient = np.full((len(coerced), len(names)), np.nan)
-        for column, name in enumerate(names[: len(LIKELIHOOD_NAMES) - len(integrated_names(self._analysis.settings))]):
-            gradient[:, column] = self._difference(coerced, name)
-        gradient[status != RowStatus.OK] = np.nan
-        return LikelihoodGradients(values, gradient, names, status)
+        values, gradient = np.full(len(coerced), -np.inf), np.full((len(coerced), len(differentiated.names)), np.nan)
 
-    def _difference(self, batch: LikelihoodBatch, name: str) -> Floats:
-        steps = {"total_mass": 1e-7, "lambda_1": 0.1, "lambda_2": 0.1, "distance_mpc": 1e-3, "coalescence_time": 1e-6}
-        step, place, total = steps.get(name, 1e-6), LIKELIHOOD_NAMES.index(name), np.zeros(len(batch))
-        for shift, weight in ((-2, 1.0 / 12.0), (-1, -2.0 / 3.0), (1, 2.0 / 3.0), (2, -1.0 / 12.0)):
-            values = batch.values.copy()
-            values[:, place] += shift * step
-            moved = LikelihoodBatch(values, batch.calibration_amplitude, batch.calibration_phase, batch.absent)
-            total += weight * self.evaluate(moved).log_likelihood / step
-        return total
+        def keep(rows: NDArray[np.intp], evaluate: Callable[[], tuple[Floats, Floats]]) -> Floats:
+            values[rows], gradient[rows] = evaluate()
+            return np.where(np.isfinite(gradient[rows]).all(axis=1), values[rows], np.nan)
+
+        status = self._by_tiles(coerced, keep, differentiated.of_rows)
+        values[status != RowStatus.OK], gradient[status != RowStatus.OK] = -np.inf, np.nan
+        return LikelihoodGradients(values, gradient, differentiated.names, status)
 
     def products(self, batch: LikelihoodBatchLike) -> DetectorProducts:
         """Inner products, signal-to-noise ratios and ln L by detector, of the signals that samples describe.
@@ -233,20 +219,35 @@ class LocalLikelihood:
     def _by_detector(self) -> ProductsByDetector:
         return ProductsByDetector(self._model, self._analysis)
 
-    def _by_tiles(self, batch: LikelihoodBatch, keep: Callable[[NDArray[np.intp], Tile], Floats]) -> NDArray[np.uint8]:
-        """The status of every row; ``keep`` is given the signals of those that can be evaluated, a tile at a time, and
-        returns numbers that are finite where all of a row is."""
+    @functools.cached_property
+    def _gradients(self) -> Gradients:
+        marginal = Marginal(self._marginalised, self._slopes)
+        return Gradients(self._model, self._analysis, self._signals, self._times, marginal)
+
+    def _signals_of(self, batch: LikelihoodBatch, fixed: dict[str, float]) -> tuple[Tile, Tile]:
+        tile = self._signals.tile(batch, fixed)
+        return tile, tile
+
+    def _by_tiles(
+        self,
+        batch: LikelihoodBatch,
+        keep: Callable[[NDArray[np.intp], Any], Floats],
+        ask: Callable[[LikelihoodBatch, dict[str, float]], tuple[Tile, Any]] | None = None,
+    ) -> NDArray[np.uint8]:
+        """The status of every row; ``keep`` is given the signals of those that can be evaluated, a tile at a time, or
+        what ``ask`` has beside them, and returns numbers that are finite where all of a row is."""
+        ask = ask or self._signals_of
         check_batch(batch, self._analysis.settings)
         status = row_statuses(batch, self._analysis.settings, self._model.description)
         good = np.flatnonzero(status == RowStatus.OK)
         for start in range(0, len(good), self._tile):
             rows = good[start : start + self._tile]
-            tile = self._signals.tile(batch.rows(rows), self._fixed)
+            tile, given = ask(batch.rows(rows), self._fixed)
             found = np.array(tile.status)
             found[tile.empty & (found == RowStatus.OK)] = RowStatus.OUT_OF_BAND
             # Rows that the model flagged are NaN, and so is what numbers without end make of others.
             with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
-                values = keep(rows, tile)
+                values = keep(rows, given)
             found[(found == RowStatus.OK) & ~np.isfinite(values)] = RowStatus.NOT_FINITE
             status[rows] = found
         self._count(status)
@@ -268,6 +269,27 @@ class LocalLikelihood:
         if self._distance is not None:
             return self._distance.log_likelihood(sizes, norms[0], phase)
         return np.asarray((log_bessel_i0(sizes) if phase else sizes) - 0.5 * norms[0])
+
+    def _slopes(self, products: Complex, norms: NDArray[Any]) -> tuple[Floats, Complex, NDArray[Any]]:
+        """As :meth:`_marginalised`, and what it changes by with both; a complex z counts as the real part of this times
+        dz."""
+        if self._phases is not None:
+            return self._phases.slopes(products, norms, self._slopes_at_one_phase)
+        phase = self._analysis.settings.phase_marginalisation
+        product = products[0]
+        sizes = np.hypot(product.real, product.imag) if phase else np.ascontiguousarray(product.real)
+        if self._distance is not None:
+            values, by_size, by_norm = self._distance.slopes(sizes, norms[0], phase)
+        else:
+            values, by_norm = (log_bessel_i0(sizes) if phase else sizes) - 0.5 * norms[0], np.full(len(sizes), -0.5)
+            by_size = bessel_ratio(sizes) if phase else np.ones(len(sizes))
+        turn = product.conj() / np.where(sizes > 0.0, sizes, 1.0) if phase else np.ones(len(sizes))
+        return np.asarray(values), (by_size * turn)[None].astype(np.complex128), by_norm[None]
+
+    def _slopes_at_one_phase(self, products: Floats, norms: Floats) -> tuple[Floats, Floats, Floats]:
+        if self._distance is not None:
+            return self._distance.slopes(products, norms, False)
+        return products - 0.5 * norms, np.ones(len(products)), np.full(len(products), -0.5)
 
     def _at_one_phase(self, products: Floats, norms: Floats) -> Floats:
         if self._distance is not None:

@@ -70,6 +70,11 @@ def log_mean_exponential(knots: Floats, values_at: ValuesAt) -> tuple[Floats, Fl
     """
     top = knots.max(axis=1)
     cells, found = _parts(knots, top, values_at)
+    return _sum_up(knots, top, cells, found)[:2]
+
+
+def _sum_up(knots: Floats, top: Floats, cells: Floats, found: list[_Panels]) -> tuple[Floats, Floats, Floats]:
+    """ln of the mean, its error, and the highest F of each row, ``(N,)``."""
     sums = np.array([row.sum() for row in cells])
     highest = top.copy()
     for panels in found:
@@ -79,7 +84,34 @@ def log_mean_exponential(knots: Floats, values_at: ValuesAt) -> tuple[Floats, Fl
         scale = panels.widths * np.exp(panels.highest - highest[panels.rows])
         total += np.bincount(panels.rows, scale * panels.integrals, len(total))
         error += np.bincount(panels.rows, scale * panels.errors, len(total))
-    return highest + np.log(total / (knots.shape[1] - 1)), error / total
+    return highest + np.log(total / (knots.shape[1] - 1)), error / total, highest
+
+
+class Shares(NamedTuple):
+    """How much each value of F counts in ln of the mean of exp(F): its derivatives.
+
+    ``knots`` ``(N, n)``, of those there; ``values`` ``(K,)``, of rows at places between, in units of the step.
+    """
+
+    knots: Floats
+    rows: NDArray[np.int64]
+    places: Floats
+    values: Floats
+
+
+def shares(knots: Floats, values_at: ValuesAt) -> tuple[Floats, Floats, Shares]:
+    """As :func:`log_mean_exponential`, and what it changes by with the values of F."""
+    top = knots.max(axis=1)
+    cells, found = _parts(knots, top, values_at)
+    values, error, highest = _sum_up(knots, top, cells, found)
+    total = np.exp(values - highest) * (knots.shape[1] - 1)
+    panels = _Panels(*(np.concatenate([each[field] for each in found] or [np.zeros(0)]) for field in range(6)))
+    rows, smooth = np.repeat(panels.rows.astype(np.int64), len(_NODES)), _smoothness(knots)[0].astype(np.float64)
+    own = _cells_back(smooth) * np.exp(knots - highest[:, None]) / total[:, None]
+    places = (panels.starts[:, None] + panels.widths[:, None] * _NODES).reshape(-1)
+    weights = (panels.widths[:, None] * _WEIGHTS).reshape(-1)
+    between = values_at(rows, places) if len(rows) else np.zeros(0)
+    return values, error, Shares(own, rows, places, weights * np.exp(between - highest[rows]) / total[rows])
 
 
 def masses(knots: Floats, values_at: ValuesAt) -> Iterator[tuple[Floats, Floats, Floats]]:
@@ -148,6 +180,18 @@ def _cells(values: Floats) -> Floats:
     result[:, 1:-1] = (13.0 * (values[:, 1:-2] + values[:, 2:-1]) - values[:, :-3] - values[:, 3:]) / 24.0
     for place, ends in ((0, values[:, :4]), (-1, values[:, :-5:-1])):
         result[:, place] = (9.0 * ends[:, 0] + 19.0 * ends[:, 1] - 5.0 * ends[:, 2] + ends[:, 3]) / 24.0
+    return result
+
+
+def _cells_back(cells: Floats) -> Floats:
+    """How much the values at knots, ``(N, n)``, count in the sum of :func:`_cells` times these, ``(N, n - 1)``."""
+    result = np.zeros((cells.shape[0], cells.shape[1] + 1))
+    inner = cells[:, 1:-1] / 24.0
+    for shift, weight in enumerate((-1.0, 13.0, 13.0, -1.0)):
+        result[:, shift : shift + inner.shape[1]] += weight * inner
+    for shift, weight in enumerate((9.0, 19.0, -5.0, 1.0)):
+        result[:, shift] += weight / 24.0 * cells[:, 0]
+        result[:, -1 - shift] += weight / 24.0 * cells[:, -1]
     return result
 
 

@@ -61,6 +61,7 @@ def _bessel_series() -> Floats:
 
 
 _SERIES = _bessel_series()
+_SLOPES = np.polynomial.chebyshev.chebder(_SERIES)
 
 
 def log_bessel_i0(x: Floats) -> Floats:
@@ -72,6 +73,25 @@ def log_bessel_i0(x: Floats) -> Floats:
     if small.any():
         result[small] = np.log(np.i0(x[small]))
     return np.asarray(result)
+
+
+_FRACTIONS = 32
+"""Of the continued fraction of I1 / I0 below 8: the last is smaller than rounding."""
+
+
+def bessel_ratio(x: Floats) -> Floats:
+    """I1(x) / I0(x) for x >= 0, the derivative of :func:`log_bessel_i0`, to a few units in the last place."""
+    large = np.maximum(x, 8.0)
+    t = 16.0 / large - 1.0
+    series = np.polynomial.chebyshev.chebval(t, _SLOPES) / np.polynomial.chebyshev.chebval(t, _SERIES)
+    result = np.asarray(1.0 - 0.5 / large - 16.0 / (large * large) * series)
+    small = x <= 8.0
+    if small.any():
+        own, ratio = x[small], np.zeros(int(small.sum()))
+        for k in range(_FRACTIONS, 0, -1):
+            ratio = own / (2.0 * k + own * ratio)
+        result[small] = ratio
+    return result
 
 
 class DistanceIntegral:
@@ -128,6 +148,16 @@ class DistanceIntegral:
             result[rows] = self._of_rows(products[rows], norms[rows], phase)
         return result
 
+    def slopes(self, products: Floats, norms: Floats, phase: bool) -> tuple[Floats, Floats, Floats]:
+        """As :meth:`log_likelihood`, and its derivatives by both, ``(N,)`` each."""
+        result = np.empty((3, len(products)))
+        for start in range(0, len(products), _ROWS_AT_ONCE):
+            rows = slice(start, start + _ROWS_AT_ONCE)
+            means = np.zeros((2, len(products[rows])))
+            result[0, rows] = self._of_rows(products[rows], norms[rows], phase, means)
+            result[1:, rows] = means
+        return result[0], result[1], -0.5 * result[2]
+
     def draw(self, products: Floats, norms: Floats, phase: bool, uniforms: Floats) -> Floats:
         """Distances in Mpc, ``(N,)``, where their posterior's distribution function has the values ``uniforms``.
 
@@ -147,7 +177,8 @@ class DistanceIntegral:
         knots = values_at(rows, places.astype(np.float64)).reshape(len(products), -1)
         return np.asarray(self.reference * np.exp(-(start + step * draw(knots, values_at, 1.0 - uniforms))))
 
-    def _of_rows(self, products: Floats, norms: Floats, phase: bool) -> Floats:
+    def _of_rows(self, products: Floats, norms: Floats, phase: bool, means: Floats | None = None) -> Floats:
+        """ln of the integral; into ``means``, ``(2, N)``, those of u, with ``phase`` times I1 / I0, and of u^2."""
         start, stop = self._window(products, norms)
         widths = np.log(stop / start) / np.log(_WIDEST_PIECE)
         pieces = np.ceil(np.where(np.isfinite(widths), np.maximum(widths, 1.0), 1.0)).astype(np.int64)
@@ -155,14 +186,22 @@ class DistanceIntegral:
         loud = inside & (stop < _NARROW * start)
         result = np.full(len(products), -np.inf)
         if loud.any():
-            result[loud] = self._over_piece(products[loud], norms[loud], start[loud], stop[loud], phase, self._steps)
+            own = None if means is None else means[:, loud]
+            result[loud] = self._over_piece(
+                products[loud], norms[loud], start[loud], stop[loud], phase, self._steps, own
+            )
+            if means is not None and own is not None:
+                means[:, loud] = own
         for piece in range(int(pieces[~loud].max(initial=0))):
             rows = np.flatnonzero(~loud & (pieces > piece))
             growth = (stop[rows] / start[rows]) ** (1.0 / pieces[rows])
             low = start[rows] * growth**piece
             high = np.where(pieces[rows] == piece + 1, stop[rows], low * growth)
-            part = self._over_piece(products[rows], norms[rows], low, high, phase, _GAUSS)
+            own = None if means is None else means[:, rows]
+            part = self._over_piece(products[rows], norms[rows], low, high, phase, _GAUSS, own)
             result[rows] = np.logaddexp(result[rows], part) if piece else part
+            if means is not None and own is not None:
+                means[:, rows] += np.exp(part - result[rows]) * (own - means[:, rows])
         return result - self._log_norm
 
     def _window(self, products: Floats, norms: Floats) -> tuple[Floats, Floats]:
@@ -175,8 +214,9 @@ class DistanceIntegral:
         return np.maximum(low, peak - reach), np.minimum(high, peak + reach)
 
     def _over_piece(
-        self, products: Floats, norms: Floats, start: Floats, stop: Floats, phase: bool, rule: _Rule
-    ) -> Floats:
+        self, products: Floats, norms: Floats, start: Floats, stop: Floats, phase: bool, rule: _Rule,
+        means: Floats | None,
+    ) -> Floats:  # fmt: skip
         half = 0.5 * (stop - start)
         u = (start + half)[:, None] + half[:, None] * rule.nodes
         amplitude = products[:, None] * u
@@ -188,6 +228,12 @@ class DistanceIntegral:
             exponent = exponent + self._prior.beside_the_power(-log_u)
         top = exponent.max(axis=1)
         total = np.zeros(len(top))
+        shares = []
         for node, weight in enumerate(rule.weights):  # in a fixed order, whatever the number of rows
-            total += weight * np.exp(exponent[:, node] - top)
+            shares.append(weight * np.exp(exponent[:, node] - top))
+            total += shares[-1]
+        if means is not None:
+            of_u = u * bessel_ratio(amplitude) if phase else u
+            means[0] = sum(share * of_u[:, node] for node, share in enumerate(shares)) / total
+            means[1] = sum(share * (u[:, node] * u[:, node]) for node, share in enumerate(shares)) / total
         return np.asarray(top + np.log(total * half))

@@ -8,7 +8,7 @@ and again only where they may be.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,6 +21,8 @@ Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Value = Callable[[Floats, Floats], Floats]
 """ln L of Re <d|h> and <h|h>, ``(K,)`` each."""
+Slopes = Callable[[Floats, Floats], tuple[Floats, Floats, Floats]]
+"""The same, and its derivatives by both."""
 
 _DEPTH = 40.0
 """Where the integrand is below its maximum by exp(-40), nothing is left to integrate."""
@@ -85,6 +87,15 @@ class PhaseIntegral:
                 at += 1
         return series
 
+    def bars_of_pairs(self, series: Complex) -> Complex:
+        """What ln L changes by with the products of pairs of groups, ``(N, P)``, of what it changes by with the series
+        of <h|h>, ``(C, N)``."""
+        found = []
+        for place, one in enumerate(self._orders):
+            for other in self._orders[place:]:
+                found.append((1.0 if other == one else 2.0) * series[self.differences.index(other - one)])
+        return np.stack(found, axis=1)
+
     def around(self, products: Complex, norms: NDArray[Any]) -> tuple[InnerAt, int, float]:
         """Re <d|h> and <h|h> of rows at orbital phases, and the knots around the circle, by number and step, between
         which ln L is as smooth as its harmonics. Parameters as of :meth:`log_likelihood`.
@@ -112,36 +123,59 @@ class PhaseIntegral:
             What is integrated, at one phase; with distances, integrated over them.
         """
         result = np.full(products.shape[1], np.nan)
-        finite = np.flatnonzero(np.isfinite(products).all(axis=0) & np.isfinite(norms).all(axis=0))
-        for start in range(0, len(finite), _ROWS_AT_ONCE):
-            rows = finite[start : start + _ROWS_AT_ONCE]
-            result[rows] = self._of_rows(products[:, rows], norms[:, rows], value)
+        for rows in _finite(products, norms):
+            parts, halvings = self._parts(products[:, rows], norms[:, rows])
+            found = [(part.rows, value(part.x, part.n)) for part in parts]
+            result[rows] = _log_mean(found, len(rows)) - np.log(self._first) - halvings * np.log(2.0)
         return result
 
-    def _of_rows(self, products: Complex, norms: Complex, value: Value) -> Floats:
+    def slopes(self, products: Complex, norms: Complex, slopes: Slopes) -> tuple[Floats, Complex, Complex]:
+        """As :meth:`log_likelihood`, and what it changes by with the products, ``(G, N)``, and the series, ``(C, N)``:
+        with a complex z by the real part of this times dz."""
+        result = np.full(products.shape[1], np.nan)
+        bars = np.full(products.shape, complex(np.nan, np.nan)), np.full(norms.shape, complex(np.nan, np.nan))
+        for rows in _finite(products, norms):
+            parts, halvings = self._parts(products[:, rows], norms[:, rows])
+            found = [slopes(part.x, part.n) for part in parts]
+            of_parts = [(part.rows, values) for part, (values, _, _) in zip(parts, found, strict=True)]
+            sums = _log_mean(of_parts, len(rows))
+            result[rows] = sums - np.log(self._first) - halvings * np.log(2.0)
+            of_rows = np.concatenate([part.rows for part in parts])
+            phases = np.concatenate([part.phases for part in parts])
+            values, by_x, by_n = (np.concatenate(column) for column in zip(*found, strict=True))
+            shares = np.exp(values - sums[of_rows])
+            for out, multiples, own in ((bars[0], self._orders, by_x), (bars[1], self.differences, by_n)):
+                for place, m in enumerate(multiples):
+                    for part, turn in ((out.real, np.cos(m * phases)), (out.imag, np.sin(m * phases))):
+                        part[place, rows] = np.bincount(of_rows, shares * own * turn, len(rows))
+        return result, bars[0], bars[1]
+
+    def _parts(self, products: Complex, norms: Complex) -> tuple[list[_Part], Integers]:
+        """Where it is integrated, and how often the circle of each row is divided."""
         count, cells = products.shape[1], self._first
         series = _Series(products, norms, self._orders, self.differences)
         rows = np.repeat(np.arange(count), cells)
         places = np.tile(np.arange(cells), count)
         best, halvings = np.full(count, -np.inf), np.zeros(count, dtype=np.int64)
-        found: list[tuple[Integers, Floats]] = []
+        found: list[_Part] = []
         for level in range(_MOST_HALVINGS + 1):
             half = np.pi / cells
-            x, n, highest, lowest = series.at(rows, np.asarray((2.0 * places + 1.0) * half), half)
+            phases = np.asarray((2.0 * places + 1.0) * half)
+            x, n, highest, lowest = series.at(rows, phases, half)
             values = self._largest(x, n)
             np.maximum.at(best, rows, values)
             if level == 0:
                 halvings = self._halvings(series, x.reshape(count, -1), n.reshape(count, -1))
             matters = self._largest(highest, lowest) >= best[rows] - (_DEPTH + self._distances.depth)
             last = matters & (halvings[rows] == level)
-            found.append((rows[last], value(x[last], n[last])))
+            found.append(_Part(rows[last], phases[last], x[last], n[last]))
             more = matters & (halvings[rows] > level)
             if not more.any():
                 break
             rows = np.repeat(rows[more], 2)
             places = np.repeat(2 * places[more], 2) + np.tile([0, 1], int(more.sum()))
             cells *= 2
-        return _log_mean(found, count) - np.log(self._first) - halvings * np.log(2.0)
+        return found, halvings
 
     def _largest(self, x: Floats, n: Floats) -> Floats:
         """ln L at the best of the distances, the prior aside."""
@@ -159,6 +193,15 @@ class PhaseIntegral:
         steps = _STEPS * np.sqrt(curvature) + _SPARE_STEPS
         needed = np.clip(np.ceil(np.log2(steps / self._first)), 0, _MOST_HALVINGS)
         return np.where(u * (series.sizes[0] + u * series.sizes[1]) < _LOST, needed, 0).astype(np.int64)
+
+
+class _Part(NamedTuple):
+    """Rows at phases, and Re <d|h> and <h|h> there, ``(K,)`` each."""
+
+    rows: Integers
+    phases: Floats
+    x: Floats
+    n: Floats
 
 
 class _Series:
@@ -203,6 +246,13 @@ class _Series:
         (x, n), (dx, dn), bends = values, slopes, [0.5 * half * half * bend[rows] for bend in self.bends]
         n = np.maximum(n, least)
         return x, n, x + half * dx + bends[0], np.maximum(n - half * dn - bends[1], least)
+
+
+def _finite(products: Complex, norms: Complex) -> Iterator[Integers]:
+    """Rows that can be integrated, some at a time."""
+    finite = np.flatnonzero(np.isfinite(products).all(axis=0) & np.isfinite(norms).all(axis=0))
+    for start in range(0, len(finite), _ROWS_AT_ONCE):
+        yield finite[start : start + _ROWS_AT_ONCE]
 
 
 def _log_mean(found: list[tuple[Integers, Floats]], count: int) -> Floats:

@@ -11,13 +11,13 @@ interpolated between them.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._drawing import InnerAt, at_each, draw
-from bnserve_inference._log_quadrature import TOLERANCE, ValuesAt, log_mean_exponential
+from bnserve_inference._log_quadrature import TOLERANCE, ValuesAt, log_mean_exponential, shares
 from bnserve_inference._signals import Contract
 from bnserve_inference.kernel import Sky
 from bnserve_protocol import AnalysisSettings, time_steps
@@ -26,12 +26,30 @@ Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Marginal = Callable[[Complex, NDArray[Any]], Floats]
 """ln L of <d|h>, ``(G, K)``, and <h|h>, ``(C, K)``."""
+MarginalSlopes = Callable[[Complex, NDArray[Any]], tuple[Floats, Complex, NDArray[Any]]]
+"""The same, and what it changes by with both."""
+_LEAST_SHARE = 1e-18
+"""Of a value in the integral, below which it is not differentiated."""
 _TOGETHER = 12
 """Values that are interpolated together: ten to a cycle, they leave 5e-11 of <d|h>, and 7e-9 between the outermost."""
 _LONG = 0.25
 """Seconds over which the Earth turns so far that three places of it are needed: with two, an error of 1e-3 in ln L at a
 signal-to-noise ratio of 300."""
 _FACTORS = np.array([np.prod([i - j for j in range(_TOGETHER) if j != i], dtype=np.float64) for i in range(_TOGETHER)])
+
+
+class TimeSlopes(NamedTuple):
+    """What ln L changes by with inner products of the Earth at one of its places.
+
+    ``sky`` as :class:`Sky`; ``products``, complex ``(N, G, times)``, with <d|h> at times ``step`` seconds apart, or,
+    ``by_node``, ``(N, G, L)``, with its terms; ``norms``, ``(C, N)``, with <h|h>.
+    """
+
+    sky: Floats
+    products: Complex
+    norms: NDArray[Any]
+    step: float
+    by_node: bool
 
 
 class TimeIntegral:
@@ -60,7 +78,9 @@ class TimeIntegral:
         self._slow = np.exp(2j * np.pi * (centre - settings.f_min if self._full else centre) * offset)
         self._at_knots = self._weights(offset)
         if self._full:
+            self._points = points
             self._chirp_z = ChirpZ(points, self.times, self._step / settings.duration)
+            self._chirp_z_back = ChirpZ(self.times, points, self._step / settings.duration)
 
     def log_likelihood(self, contract: Contract, sky: Floats, marginal: Marginal) -> Floats:
         """ln of the mean over the times, ``(N,)``; NaN where it cannot be had to :data:`TOLERANCE`.
@@ -76,6 +96,36 @@ class TimeIntegral:
         values, error = log_mean_exponential(knots, values_at)
         return np.where(error <= TOLERANCE, values, np.nan)
 
+    def slopes(
+        self, contract: Contract, sky: Floats, marginal: Marginal, slopes: MarginalSlopes
+    ) -> tuple[Floats, list[TimeSlopes]]:
+        """As :meth:`log_likelihood`, and what it changes by with the inner products, for each place of the Earth."""
+        slow, norms = self._at_knots_of(contract, sky)
+        knots, values_at, inner_at = self._integrand_of(slow, norms, marginal)
+        values, error, found = shares(knots, values_at)
+        values = np.where(error <= TOLERANCE, values, np.nan)
+        slow_bar, norms_bar = np.zeros_like(slow), np.zeros_like(norms)
+        rows, at = np.nonzero(np.abs(found.knots) > _LEAST_SHARE)
+        between = np.flatnonzero(np.abs(found.values) > _LEAST_SHARE)
+        which, places = np.concatenate([rows, found.rows[between]]), np.concatenate([at, found.places[between]])
+        _, products, own = slopes(*inner_at(which, places))
+        share = np.concatenate([found.knots[rows, at], found.values[between]])
+        products = self._turned(products * share, places)
+        for group, bar in enumerate(products):
+            _spread(slow_bar[:, group], which, places, bar)
+        for stand, weights in enumerate(self._weights(places * self._step)):
+            for term, bar in enumerate(own):
+                np.add.at(norms_bar[stand, term], which, bar * (share * weights))
+        return values, [self._at_stand(place, sky, slow_bar, norms_bar[place]) for place in range(len(self._stands))]
+
+    def _at_stand(self, place: int, sky: Floats, slow_bar: Complex, norms_bar: NDArray[Any]) -> TimeSlopes:
+        products = slow_bar * (self._slow * self._at_knots[place])
+        if self._full:
+            terms = products.reshape(-1, self.times)
+            shape = (*products.shape[:2], self._points)
+            products = np.array([self._chirp_z_back(row) for row in terms]).reshape(shape)
+        return TimeSlopes(self._there(place, sky), products, norms_bar, self._step, self._full)
+
     def draw(
         self, contract: Contract, sky: Floats, marginal: Marginal, uniforms: Floats
     ) -> tuple[Floats, Complex, NDArray[Any]]:
@@ -90,7 +140,9 @@ class TimeIntegral:
 
     def _integrand(self, contract: Contract, sky: Floats, marginal: Marginal) -> tuple[Floats, ValuesAt, InnerAt]:
         """ln L at the knots, ``(N, times)``, and ln L, and <d|h> and <h|h>, of rows at places in units of the step."""
-        slow, norms = self._at_knots_of(contract, sky)
+        return self._integrand_of(*self._at_knots_of(contract, sky), marginal)
+
+    def _integrand_of(self, slow: Complex, norms: NDArray[Any], marginal: Marginal) -> tuple[Floats, ValuesAt, InnerAt]:
         count, groups, _ = slow.shape
         rows = np.arange(count).repeat(self.times)
         places = np.tile(np.arange(self.times, dtype=np.float64), count)
@@ -111,10 +163,8 @@ class TimeIntegral:
         """<d|h> of each group at all times, without its fast oscillation, ``(N, G, times)``, and <h|h> with the Earth
         at each of its places, ``(stands, C, N)``."""
         slow, norms = None, []
-        for place, stand in enumerate(self._stands):
-            there = sky.copy()
-            there[:, Sky.TIME] = self._start
-            there[:, Sky.RIGHT_ASCENSION] -= self._rate * stand
+        for place in range(len(self._stands)):
+            there = self._there(place, sky)
             if self._full:
                 inner = contract(there, 1, 0.0, True)
                 assert inner.spectrum is not None
@@ -130,6 +180,13 @@ class TimeIntegral:
             norms.append(inner.norms)
         assert slow is not None
         return slow, np.array(norms)
+
+    def _there(self, place: int, sky: Floats) -> Floats:
+        """Places of the rows with the Earth as it stands at one of its places."""
+        there = sky.copy()
+        there[:, Sky.TIME] = self._start
+        there[:, Sky.RIGHT_ASCENSION] -= self._rate * self._stands[place]
+        return there
 
     def _turned(self, slow: Complex, places: Floats) -> Complex:
         # Not by an operator: where the second factor is large and nobody's, numpy writes the product over it, with the
@@ -152,18 +209,34 @@ class TimeIntegral:
         )
 
 
-def _interpolated(values: Complex, rows: NDArray[np.int64], places: Floats) -> Complex:
-    """Rows of equally spaced values, ``(N, n)``, at places between them, ``(K,)`` as the rows: Lagrange's formula."""
-    first = np.clip(np.floor(places).astype(np.int64) - (_TOGETHER // 2 - 1), 0, values.shape[1] - _TOGETHER)
+def _lagrange(places: Floats, values: int) -> tuple[NDArray[np.int64], list[Floats]]:
+    """The first of the values that are interpolated together at places, and how much each of them counts there."""
+    first = np.clip(np.floor(places).astype(np.int64) - (_TOGETHER // 2 - 1), 0, values - _TOGETHER)
     x = places - first
     after = [np.ones_like(x)]
     for j in range(_TOGETHER - 1, 0, -1):
         after.append(after[-1] * (x - j))
-    before, result = np.ones_like(x), np.zeros(len(x), dtype=np.complex128)
+    before, weights = np.ones_like(x), []
     for j in range(_TOGETHER):
-        result += values[rows, first + j] * (before * after[_TOGETHER - 1 - j] / _FACTORS[j])
+        weights.append(before * after[_TOGETHER - 1 - j] / _FACTORS[j])
         before = before * (x - j)
+    return first, weights
+
+
+def _interpolated(values: Complex, rows: NDArray[np.int64], places: Floats) -> Complex:
+    """Rows of equally spaced values, ``(N, n)``, at places between them, ``(K,)`` as the rows: Lagrange's formula."""
+    first, weights = _lagrange(places, values.shape[1])
+    result = np.zeros(len(places), dtype=np.complex128)
+    for j, weight in enumerate(weights):
+        result += values[rows, first + j] * weight
     return result
+
+
+def _spread(bars: Complex, rows: NDArray[np.int64], places: Floats, given: Complex) -> None:
+    """Add to what something changes by with values, ``(N, n)``, what it changes by with them at places between."""
+    first, weights = _lagrange(places, bars.shape[1])
+    for j, weight in enumerate(weights):
+        np.add.at(bars, (rows, first + j), given * weight)
 
 
 class ChirpZ:

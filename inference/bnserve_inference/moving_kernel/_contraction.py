@@ -55,7 +55,7 @@ class MovingContraction(ModesContraction):
 
     def inner_products(
         self, h: Complex, plus: Floats, cross: Complex, sky: Floats, calibration: tuple[Floats, Floats] | None,
-        times: int = 1, step: float = 0.0, spectrum: bool = False, *, passing: Floats | None,
+        times: int = 1, step: float = 0.0, spectrum: bool = False, *, passing: Floats | None, more: Sequence[int] = (),
     ) -> GroupProducts:  # fmt: skip
         """Inner products of N rows, as of :meth:`ModesContraction.__call__`.
 
@@ -64,6 +64,8 @@ class MovingContraction(ModesContraction):
         passing
             When each group passes each frequency, ``(N, G, M)`` in seconds from the coalescence; None where the
             analysis has a waveform to compare with, or where detectors do not move.
+        more
+            Further numbers of the block of arguments, for what takes these, too.
         """
         groups = self._groups
         if passing is not None or not self._compares:
@@ -72,8 +74,8 @@ class MovingContraction(ModesContraction):
                 held[:, :, : passing.shape[2]] = passing
         else:
             held, stride = np.empty((groups + 1, self._width)), 0
-        more = [*self._more, stride, address_of(held)]
-        return self(h, plus, cross, sky, calibration, times, step, spectrum, more)
+        own = [*self._more, stride, address_of(held), *more]
+        return self(h, plus, cross, sky, calibration, times, step, spectrum, own)
 
     def _loaded(self) -> Callable[[int, int, int], int]:
         return load_contraction()

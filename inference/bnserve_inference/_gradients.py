@@ -1,0 +1,152 @@
+"""Gradients of the log-likelihood: derivatives of the waveform forwards, of all that is made of it backwards.
+
+ln L is a function of inner products, which are linear and quadratic in the strain. What it changes by with them is
+pulled back through the contraction to the strain (:mod:`.adjoint`), once for all parameters; the model's derivatives
+say what the strain changes by with the parameters of the binary, and the rest is analytic.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_inference._modes import modes_of, orders
+from bnserve_inference._signals import Signals, Strain, Tile, calibration_errors
+from bnserve_inference._time_integral import TimeIntegral
+from bnserve_inference.adjoint import Adjoint, Bars, PulledBack
+from bnserve_protocol import (
+    DERIVATIVE_NAMES,
+    Analysis,
+    Derivatives,
+    InvalidRequest,
+    LikelihoodBatch,
+    ParameterBatch,
+    WaveformModel,
+    gradient_names,
+)
+
+Complex = NDArray[np.complex128]
+Floats = NDArray[np.float64]
+Evaluate: TypeAlias = Callable[[], tuple[Floats, Floats]]
+_PLACE = ("right_ascension", "declination", "polarization_angle", "coalescence_time")
+
+
+class Marginal(NamedTuple):
+    """ln L of <d|h>, ``(G, K)``, and <h|h>, ``(C, K)``; and the same with what it changes by with both, where a
+    complex z counts as the real part of this times dz."""
+
+    value: Callable[[Complex, NDArray[Any]], Floats]
+    slopes: Callable[[Complex, NDArray[Any]], tuple[Floats, Complex, NDArray[Any]]]
+
+
+class Gradients:
+    """ln L and its gradient, of tiles of rows; a row's bits depend on the row, the analysis and the model alone.
+
+    Parameters
+    ----------
+    model, analysis
+        Of the likelihood.
+    signals
+        Of both.
+    times
+        Integrates over the time, where this is wanted.
+    marginal
+        All other integrals.
+
+    Raises
+    ------
+    InvalidRequest
+        The model has no derivatives.
+
+    Attributes
+    ----------
+    names
+        Of the columns.
+    """
+
+    def __init__(
+        self, model: WaveformModel, analysis: Analysis, signals: Signals, times: TimeIntegral | None, marginal: Marginal
+    ) -> None:
+        differentiate = getattr(model, "predict_derivatives", None)
+        if differentiate is None:
+            raise InvalidRequest(
+                f"The model '{model.description.name}' does not say that it has derivatives: ask for log-likelihoods, "
+                "or take a model whose regressor is a polynomial, as those of 'default', 'fast' and 'wide' are."
+            )
+        self._differentiate, self._signals, self._times, self._marginal = differentiate, signals, times, marginal
+        self._settings, self._modes = analysis.settings, modes_of(analysis.settings, model.description)
+        self._adjoint = Adjoint(analysis, signals.group_of)
+        self.names = gradient_names(analysis.settings)
+
+    def of_rows(self, batch: LikelihoodBatch, fixed: dict[str, float]) -> tuple[Tile, Evaluate]:
+        """The signals of some rows, and what evaluates ln L, ``(N,)``, and its gradient, ``(N, P)``."""
+        waveforms = batch.waveform_batch(**fixed)
+        found = self._differentiate(self._signals.frequencies, waveforms, options=self._signals.options)
+        h = np.asarray(found.h, dtype=np.complex128)
+        passing = self._signals.passing(waveforms)
+        tile = self._signals.of_strain(Strain(h, found.plus, found.cross, found.status), batch, passing)
+
+        def evaluate() -> tuple[Floats, Floats]:
+            values, bars = self._bars(tile)
+            errors = calibration_errors(batch, self._settings)
+            pulled = self._adjoint.pull_back(
+                h, found.plus, found.cross, found.derivatives, errors, bars, passing
+            )  # fmt: skip
+            return values, self._gradient(found, waveforms, pulled)
+
+        return tile, evaluate
+
+    def _bars(self, tile: Tile) -> tuple[Floats, list[Bars]]:
+        """ln L, and what it changes by with the products of groups of modes."""
+        if self._times is not None:
+            values, of_places = self._times.slopes(tile.contract, tile.sky, *self._marginal)
+            pairs = [self._signals.bars(each.products, each.norms) for each in of_places]
+            found = [
+                Bars(each.sky, *bars, each.step, each.by_node) for each, bars in zip(of_places, pairs, strict=True)
+            ]
+            return values, found
+        inner = tile.contract(tile.sky, 1, 0.0, False)
+        products = np.ascontiguousarray(inner.data[:, :, 0].T)
+        values, by_products, by_norms = self._marginal.slopes(products, inner.norms)
+        return values, [Bars(tile.sky, *self._signals.bars(by_products.T[:, :, None], by_norms))]
+
+    def _gradient(self, found: Derivatives, waveforms: ParameterBatch, pulled: PulledBack) -> Floats:
+        """The columns of the gradient that the analysis has, ``(N, P)``."""
+        binary = pulled.binary
+        if pulled.passing is not None:
+            binary = binary + np.einsum("ngm,ngim->ni", pulled.passing, self._passing_slopes(found))
+        own = found.plus * pulled.factors[:, :, 0] + found.cross * pulled.factors[:, :, 1]
+        tilted = found.plus_slope * pulled.factors[:, :, 0] + found.cross_slope * pulled.factors[:, :, 1]
+        turns = np.array([-0.5 * order for _, order in self._modes])
+        columns = dict(zip(DERIVATIVE_NAMES, binary.T, strict=True)) | dict(zip(_PLACE, pulled.sky.T, strict=True))
+        columns["inclination"] = _sum(tilted.real)
+        columns["reference_phase"] = _sum(turns * own.imag)
+        columns["distance_mpc"] = -_sum(own.real) / waveforms["distance_mpc"]
+        for place, detector in enumerate(self._settings.detectors):
+            for kind, errors in zip(("amplitude", "phase"), pulled.errors, strict=True):
+                for node in range(errors.shape[2]):
+                    columns[f"recalib_{detector}_{kind}_{node}"] = errors[:, place, node]
+        return np.stack([columns[name] for name in self.names], axis=1)
+
+    def _passing_slopes(self, found: Derivatives) -> Floats:
+        """What the times at which each group passes the frequencies change by with the binary, ``(N, G, 6, M)``."""
+        f = found.frequencies
+        slopes = []
+        for order in orders(self._modes):
+            leading = min(place for place, mode in enumerate(self._modes) if mode[1] == order)
+            with np.errstate(invalid="ignore", divide="ignore"):
+                phases = (found.derivatives[:, leading] / found.h[:, leading, None]).imag
+            phases = np.where(np.isfinite(phases), phases, 0.0)
+            slopes.append(np.gradient(phases, np.log(f), axis=-1) / (-2.0 * np.pi * f))
+        return np.stack(slopes, axis=1)
+
+
+def _sum(modes: Floats) -> Floats:
+    """Sums over the modes, in their order."""
+    total = modes[:, 0].copy()
+    for mode in range(1, modes.shape[1]):
+        total += modes[:, mode]
+    return total
