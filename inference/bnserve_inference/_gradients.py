@@ -1,8 +1,8 @@
 """Gradients of the log-likelihood: derivatives of the waveform forwards, of all that is made of it backwards.
 
 ln L is a function of inner products, which are linear and quadratic in the strain. What it changes by with them is
-pulled back through the contraction to the strain (:mod:`.adjoint`), once for all parameters; the model's derivatives
-say what the strain changes by with the parameters of the binary, and the rest is analytic.
+pulled back through the contraction to the strain (:mod:`.adjoint_kernel`), once for all parameters. The model's
+derivatives say what the strain changes by with the parameters of the binary, and the rest is analytic.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from bnserve_inference._modes import modes_of, orders
 from bnserve_inference._signals import Signals, Strain, Tile, calibration_errors
 from bnserve_inference._time_integral import TimeIntegral
-from bnserve_inference.adjoint import Adjoint, Bars, PulledBack
+from bnserve_inference.adjoint_kernel import Adjoint, Bars, PulledBack
 from bnserve_protocol import (
     DERIVATIVE_NAMES,
     Analysis,

@@ -7,6 +7,8 @@ import numpy as np
 import pytest
 
 from bnserve_inference import likelihood
+from bnserve_inference.adjoint_kernel import build as adjoint
+from bnserve_inference.adjoint_kernel._call import ASSEMBLY as ADJOINT
 from bnserve_inference.fisher_kernel import build as forecasts
 from bnserve_inference.fisher_kernel._assembly import ASSEMBLY as FORECASTS
 from bnserve_inference.kernel import build as one_mode
@@ -105,7 +107,13 @@ def test_an_analysis_that_travelled_gives_the_same_bits(model, data):
 
 @pytest.mark.parametrize(
     ("assembly", "build"),
-    [(ONE_MODE, one_mode), (SEVERAL_MODES, several_modes), (MOVING, moving), (FORECASTS, forecasts)],
+    [
+        (ONE_MODE, one_mode),
+        (SEVERAL_MODES, several_modes),
+        (MOVING, moving),
+        (FORECASTS, forecasts),
+        (ADJOINT, adjoint),
+    ],
 )
 def test_the_compiled_contractions_are_of_these_sources(assembly, build):
     first_line = assembly.read_text().split("\n", 1)[0]

@@ -62,7 +62,7 @@ def _installed(distribution: str) -> str | None:
 
 def kernels() -> Findings:
     """The compiled code of waveforms and of likelihoods can be loaded on this processor."""
-    from bnserve_inference import fisher_kernel, kernel, modes_kernel, moving_kernel
+    from bnserve_inference import adjoint_kernel, fisher_kernel, kernel, modes_kernel, moving_kernel
     from bnserve_surrogate.kernel import load_kernel
 
     load_kernel()
@@ -70,6 +70,7 @@ def kernels() -> Findings:
     modes_kernel.load_contraction()
     moving_kernel.load_contraction()
     fisher_kernel.load_factorisation()
+    adjoint_kernel.load_adjoint()
     yield ok("kernels", f"waveforms and likelihoods, as machine code for {platform.machine()}")
 
 

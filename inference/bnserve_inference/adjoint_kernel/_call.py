@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference.adjoint._layout import ARGUMENTS, SUMS, TANGENTS, scratch_size
+from bnserve_inference.adjoint_kernel._layout import ARGUMENTS, SUMS, TANGENTS, scratch_size
 from bnserve_inference.moving_kernel import MovingContraction
 from bnserve_protocol import Analysis
 from bnserve_protocol.wire import address_of

@@ -9,8 +9,8 @@ from __future__ import annotations
 
 from numba import njit
 
-from bnserve_inference.adjoint._back import binary_back, errors_back, errors_to_nodes, pull_back, waves_back
-from bnserve_inference.adjoint._layout import (
+from bnserve_inference.adjoint_kernel._back import binary_back, errors_back, errors_to_nodes, pull_back, waves_back
+from bnserve_inference.adjoint_kernel._layout import (
     BLOCK,
     GEOMETRY,
     GROUP_BUFFERS,
@@ -22,9 +22,9 @@ from bnserve_inference.adjoint._layout import (
     Shared,
     Sum,
 )
-from bnserve_inference.adjoint._passing import passing_back
-from bnserve_inference.adjoint._response import add_arm, block_of, clear_patterns, fill_geometry, short_patterns
-from bnserve_inference.adjoint._sums import add_fixed, add_pair, add_splined, respond, slopes_at
+from bnserve_inference.adjoint_kernel._passing import passing_back
+from bnserve_inference.adjoint_kernel._response import add_arm, block_of, clear_patterns, fill_geometry, short_patterns
+from bnserve_inference.adjoint_kernel._sums import add_fixed, add_pair, add_splined, respond, slopes_at
 from bnserve_inference.kernel._layout import Sky
 from bnserve_inference.kernel._sums import Floats, Integers, errors_at, spline_at
 from bnserve_inference.modes_kernel._layout import Argument as Modes

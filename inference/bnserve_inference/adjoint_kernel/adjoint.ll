@@ -1,4 +1,4 @@
-; sources: bc14dbe606aa2ac0cb2681e7a150ff051f259a5392cdd04e651c3e418ef11919
+; sources: 7d99e4dec6b91076b814681fbefca005787ecb34da6bc1c28cf8078f49bc9ae3
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -50,7 +50,7 @@ entry:
   %.7641025.not = icmp slt i64 %.684, 1
   br i1 %.7641025.not, label %B1452, label %B666.if.lr.ph
 
-B1212:                                            ; preds = %_ZN17bnserve_inference7adjoint7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_inference7adjoint7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B1212:                                            ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.84.i = load i64, ptr %.106, align 8, !noalias !0
   %.114.i = load i64, ptr %.76, align 8, !noalias !0
   %.144.i = load i64, ptr %.140, align 8, !noalias !0
@@ -61,12 +61,12 @@ B1212:                                            ; preds = %_ZN17bnserve_infere
   %.395674.not.i = icmp slt i64 %.84.i, 1
   br i1 %.395674.not.i, label %B420.i, label %B274.if.lr.ph.i
 
-B420.i:                                           ; preds = %_ZN17bnserve_inference7adjoint5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1212
+B420.i:                                           ; preds = %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1212
   %.704.i = load i64, ptr %.703.i, align 8, !noalias !0
   %.705.not.i = icmp eq i64 %.704.i, 0
   %.901703.not.i = icmp slt i64 %.114.i, 1
   %or.cond.i = select i1 %.705.not.i, i1 true, i1 %.901703.not.i
-  br i1 %or.cond.i, label %_ZN17bnserve_inference7adjoint7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B570.if.lr.ph.i
+  br i1 %or.cond.i, label %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B570.if.lr.ph.i
 
 B872.loopexit.unr-lcssa.i:                        ; preds = %B798.if.i
   br i1 %13, label %B872.i, label %B798.if.epil.preheader.i
@@ -84,7 +84,7 @@ B798.if.epil.preheader.i:                         ; preds = %B570.if.i, %B872.lo
 B872.i:                                           ; preds = %B570.if.i, %B798.if.epil.preheader.i, %B872.loopexit.unr-lcssa.i
   %scevgep111.i = getelementptr i8, ptr %lsr.iv.i3, i64 27648
   %exitcond738.not.i = icmp eq i64 %.914.i, %.114.i
-  br i1 %exitcond738.not.i, label %_ZN17bnserve_inference7adjoint7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B570.if.i
+  br i1 %exitcond738.not.i, label %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B570.if.i
 
 B274.if.lr.ph.i:                                  ; preds = %B1212
   %.261.i = load i64, ptr %.447.i, align 8, !noalias !0
@@ -96,9 +96,9 @@ B274.if.lr.ph.i:                                  ; preds = %B1212
   %.949889.not.i.i = icmp slt i64 %.13.i.i, 1
   br label %B274.if.i
 
-B274.if.i:                                        ; preds = %_ZN17bnserve_inference7adjoint5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B274.if.lr.ph.i
-  %lsr.iv122.i = phi ptr [ %scevgep121.i, %B274.if.lr.ph.i ], [ %scevgep123.i, %_ZN17bnserve_inference7adjoint5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %.401671675.i = phi i64 [ 0, %B274.if.lr.ph.i ], [ %.408.i, %_ZN17bnserve_inference7adjoint5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+B274.if.i:                                        ; preds = %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B274.if.lr.ph.i
+  %lsr.iv122.i = phi ptr [ %scevgep121.i, %B274.if.lr.ph.i ], [ %scevgep123.i, %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %.401671675.i = phi i64 [ 0, %B274.if.lr.ph.i ], [ %.408.i, %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %7 = shl i64 %.401671675.i, 3
   %scevgep120.i = getelementptr i8, ptr %6, i64 %7
   %.533.i = load i64, ptr %scevgep120.i, align 8, !noalias !0
@@ -114,7 +114,7 @@ B274.if.i:                                        ; preds = %_ZN17bnserve_infere
   %.138.i.i = inttoptr i64 %.137.i.i to ptr
   %.216.i.i = load double, ptr %.138.i.i, align 8, !noalias !3
   %.431.i.i = load i64, ptr %.430.i.i, align 8, !noalias !3
-  br i1 %.949889.not.i.i, label %_ZN17bnserve_inference7adjoint5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B724.if.lr.ph.i.i
+  br i1 %.949889.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B724.if.lr.ph.i.i
 
 B724.if.lr.ph.i.i:                                ; preds = %B274.if.i
   %.255.i.i = shl nsw i64 %.135.i.i, 4
@@ -197,9 +197,9 @@ B724.if.i.i:                                      ; preds = %B724.if.i.i, %B724.
   %lsr.iv.next.i.i = add nuw nsw i64 %lsr.iv.i.i, 8
   %lsr.iv.next115.i.i = add i64 %lsr.iv114.i.i, -1
   %exitcond.not.i.i = icmp eq i64 %lsr.iv.next115.i.i, 0
-  br i1 %exitcond.not.i.i, label %_ZN17bnserve_inference7adjoint5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B724.if.i.i
+  br i1 %exitcond.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B724.if.i.i
 
-_ZN17bnserve_inference7adjoint5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B724.if.i.i, %B274.if.i
+_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B724.if.i.i, %B274.if.i
   %a.2.0.lcssa.i.i = phi double [ 0.000000e+00, %B274.if.i ], [ %.1490.i.i, %B724.if.i.i ]
   %b.2.0.lcssa.i.i = phi double [ 0.000000e+00, %B274.if.i ], [ %.1557.i.i, %B724.if.i.i ]
   %c.2.0.lcssa.i.i = phi double [ 0.000000e+00, %B274.if.i ], [ %.1624.i.i, %B724.if.i.i ]
@@ -286,11 +286,11 @@ B798.if.i:                                        ; preds = %B798.if.i, %B798.if
   %niter.ncmp.1.not.i = icmp eq i64 %lsr.iv.next.i4, 0
   br i1 %niter.ncmp.1.not.i, label %B872.loopexit.unr-lcssa.i, label %B798.if.i
 
-_ZN17bnserve_inference7adjoint7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B872.i, %B420.i
+_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B872.i, %B420.i
   %.1084 = icmp sgt i64 %.1083927953, 1
   br i1 %.1084, label %B918.if, label %B1254
 
-B1254:                                            ; preds = %_ZN17bnserve_inference7adjoint7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v59B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit
+B1254:                                            ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v59B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit
   %.74.i = load i64, ptr %sunkaddr115, align 8, !noalias !6
   %.75.i = inttoptr i64 %.74.i to ptr
   %.152.i = getelementptr i8, ptr %.75.i, i64 8
@@ -381,7 +381,7 @@ B1378:                                            ; preds = %B1334
   %.667832.not.i = icmp slt i64 %.64.i, 1
   br i1 %.667832.not.i, label %B1412, label %B474.if.lr.ph.i
 
-B1068.i:                                          ; preds = %_ZN17bnserve_inference7adjoint8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B474.if.i
+B1068.i:                                          ; preds = %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B474.if.i
   %exitcond868.not.i = icmp eq i64 %.680.i, %.64.i
   br i1 %exitcond868.not.i, label %B1412, label %B474.if.i
 
@@ -433,8 +433,8 @@ B766.if.preheader.i:                              ; preds = %B474.if.i
   %scevgep139.i = getelementptr i8, ptr %33, i64 %21
   br label %B766.if.i
 
-B766.if.i:                                        ; preds = %_ZN17bnserve_inference7adjoint8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B766.if.preheader.i
-  %.1122805807.i = phi i64 [ %48, %_ZN17bnserve_inference7adjoint8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B766.if.preheader.i ]
+B766.if.i:                                        ; preds = %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B766.if.preheader.i
+  %.1122805807.i = phi i64 [ %48, %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B766.if.preheader.i ]
   %sunkaddr28.i = shl i64 %.1122805807.i, 3
   %sunkaddr29.i = getelementptr i8, ptr %33, i64 %sunkaddr28.i
   %sunkaddr30.i = getelementptr i8, ptr %sunkaddr29.i, i64 8
@@ -524,7 +524,7 @@ B242.i.i:                                         ; preds = %B240.i.i, %B766.if.
   %.12.i.i.i = fcmp contract ogt double %.528.i.i, %.526.i.i
   %.13.i.i.i = select i1 %.12.i.i.i, double %.528.i.i, double %.526.i.i
   %.561.i.i = fcmp contract ogt double %.13.i.i.i, 0.000000e+00
-  br i1 %.561.i.i, label %B338.endif.i.i, label %_ZN17bnserve_inference7adjoint8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.561.i.i, label %B338.endif.i.i, label %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B452.i.i:                                         ; preds = %B342.if.i.i
   %.801.i.i = icmp slt i64 %lsr.iv.i.i12, -2
@@ -612,7 +612,7 @@ B480.i.i:                                         ; preds = %B342.if.i.i, %B452.
   %scevgep13.i.i = getelementptr i8, ptr %lsr.iv12.i.i, i64 %31
   %lsr.iv.next22.i.i = sub i64 %lsr.iv21.i.i, %.141.1.i
   %exitcond496.not.i.i = icmp eq i64 %lsr.iv.next2.i.i, 0
-  br i1 %exitcond496.not.i.i, label %_ZN17bnserve_inference7adjoint8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B342.if.i.i
+  br i1 %exitcond496.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B342.if.i.i
 
 B106.if.i.i:                                      ; preds = %B240.i.i, %B106.if.lr.ph.i.i
   %lsr.iv23.i.i = phi i64 [ %.328.i.i, %B106.if.lr.ph.i.i ], [ %lsr.iv.next24.i.i, %B240.i.i ]
@@ -634,7 +634,7 @@ B338.endif.i.i:                                   ; preds = %B242.i.i
   %.591.i.i = fadd contract double %.587.i.i, %.590.i.i
   %.596.i.i = fdiv contract double %.1529.i, %.591.i.i
   %.603.i.i = fdiv contract double %.596.i.i, %.13.i.i.i
-  br i1 %.699491.not.i.i, label %_ZN17bnserve_inference7adjoint8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B342.if.lr.ph.i.i
+  br i1 %.699491.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B342.if.lr.ph.i.i
 
 B342.if.lr.ph.i.i:                                ; preds = %B338.endif.i.i
   %.786.i.i = shl nuw i64 %.1122805807.i, 1
@@ -652,7 +652,7 @@ B342.if.i.i:                                      ; preds = %B342.if.lr.ph.i.i, 
   %.772.i.i = icmp eq i64 %.770.i.i, %.673815835.i
   br i1 %.772.i.i, label %B452.i.i, label %B480.i.i
 
-_ZN17bnserve_inference7adjoint8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B480.i.i, %B338.endif.i.i, %B242.i.i
+_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B480.i.i, %B338.endif.i.i, %B242.i.i
   %47 = add nuw nsw i64 %.1122805807.i, 2
   %exitcond.not.i11 = icmp eq i64 %18, %47
   %48 = add nuw nsw i64 %.1122805807.i, 1
@@ -663,13 +663,13 @@ B1412:                                            ; preds = %B1068.i, %B1378, %B
   store double 0.000000e+00, ptr %.690.i, align 8, !noalias !15
   %.78.i = load i64, ptr %.106, align 8, !noalias !15
   %.286409.not.i = icmp slt i64 %.78.i, 1
-  br i1 %.286409.not.i, label %_ZN17bnserve_inference7adjoint5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B208.if.lr.ph.i
+  br i1 %.286409.not.i, label %_ZN17bnserve_inference14adjoint_kernel5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B208.if.lr.ph.i
 
 B554.i:                                           ; preds = %B330.if.i
   %.299.i = add nuw nsw i64 %.292400412.i, 1
   %lsr.iv.next.i22 = add i64 %lsr.iv.i19, %53
   %exitcond434.not.i = icmp eq i64 %.299.i, %.78.i
-  br i1 %exitcond434.not.i, label %_ZN17bnserve_inference7adjoint5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B208.if.i
+  br i1 %exitcond434.not.i, label %_ZN17bnserve_inference14adjoint_kernel5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B208.if.i
 
 B208.if.lr.ph.i:                                  ; preds = %B1412
   %.145.i = load i64, ptr %.144.i16, align 8, !noalias !15
@@ -714,12 +714,12 @@ B330.if.i:                                        ; preds = %B330.if.i, %B208.if
   %exitcond.not.i21 = icmp eq i64 %.537.i, 6
   br i1 %exitcond.not.i21, label %B554.i, label %B330.if.i
 
-_ZN17bnserve_inference7adjoint5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B554.i, %B1412
+_ZN17bnserve_inference14adjoint_kernel5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B554.i, %B1412
   call void @llvm.lifetime.end.p0(ptr nonnull %.690.i)
   %exitcond1194.not = icmp eq i64 %.777, %.684
   br i1 %exitcond1194.not, label %B1452, label %B666.if
 
-B1452:                                            ; preds = %_ZN17bnserve_inference7adjoint5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %entry
+B1452:                                            ; preds = %_ZN17bnserve_inference14adjoint_kernel5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %entry
   store i64 0, ptr %retptr, align 8
   ret void
 
@@ -1186,8 +1186,8 @@ B666.if.lr.ph:                                    ; preds = %entry
   %sunkaddr.i18 = getelementptr i8, ptr %arg.arguments.4, i64 312
   br label %B666.if
 
-B666.if:                                          ; preds = %B666.if.lr.ph, %_ZN17bnserve_inference7adjoint5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  %.7709701030 = phi i64 [ 0, %B666.if.lr.ph ], [ %.777, %_ZN17bnserve_inference7adjoint5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
+B666.if:                                          ; preds = %B666.if.lr.ph, %_ZN17bnserve_inference14adjoint_kernel5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %.7709701030 = phi i64 [ 0, %B666.if.lr.ph ], [ %.777, %_ZN17bnserve_inference14adjoint_kernel5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
   %.777 = add nuw nsw i64 %.7709701030, 1
   %.835 = load i64, ptr %sunkaddr129, align 8
   %.838 = mul nuw nsw i64 %.7709701030, 56
@@ -1197,7 +1197,7 @@ B666.if:                                          ; preds = %B666.if.lr.ph, %_ZN
   %.916 = load double, ptr %.915, align 8
   %.290.i = load i64, ptr %arg.arguments.4, align 8, !noalias !18
   %.370466.not.i = icmp slt i64 %.290.i, 1
-  br i1 %.370466.not.i, label %_ZN17bnserve_inference7adjoint7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B268.if.preheader.i
+  br i1 %.370466.not.i, label %_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B268.if.preheader.i
 
 B268.if.preheader.i:                              ; preds = %B666.if
   %.245.i = load i64, ptr %.244.i, align 8, !noalias !18
@@ -1209,13 +1209,13 @@ B268.if.preheader.i:                              ; preds = %B666.if
   %.2102.i.i = getelementptr i8, ptr %.840, i64 16
   br label %B268.if.i
 
-B268.if.i:                                        ; preds = %_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B268.if.preheader.i
-  %lsr.iv138.i = phi i64 [ %lsr.iv.next139.i, %_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.290.i, %B268.if.preheader.i ]
-  %lsr.iv136.i = phi i64 [ %lsr.iv.next137.i, %_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B268.if.preheader.i ]
-  %lsr.iv134.i = phi i64 [ %lsr.iv.next135.i, %_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B268.if.preheader.i ]
-  %lsr.iv133.i = phi i64 [ %lsr.iv.next.i52, %_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B268.if.preheader.i ]
-  %lsr.iv131.i = phi ptr [ %scevgep132.i, %_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.230, %B268.if.preheader.i ]
-  %lsr.iv.i26 = phi ptr [ %scevgep.i51, %_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.363, %B268.if.preheader.i ]
+B268.if.i:                                        ; preds = %_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B268.if.preheader.i
+  %lsr.iv138.i = phi i64 [ %lsr.iv.next139.i, %_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.290.i, %B268.if.preheader.i ]
+  %lsr.iv136.i = phi i64 [ %lsr.iv.next137.i, %_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B268.if.preheader.i ]
+  %lsr.iv134.i = phi i64 [ %lsr.iv.next135.i, %_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B268.if.preheader.i ]
+  %lsr.iv133.i = phi i64 [ %lsr.iv.next.i52, %_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B268.if.preheader.i ]
+  %lsr.iv131.i = phi ptr [ %scevgep132.i, %_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.230, %B268.if.preheader.i ]
+  %lsr.iv.i26 = phi ptr [ %scevgep.i51, %_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.363, %B268.if.preheader.i ]
   %.438.i = load i64, ptr %sunkaddr3.i, align 8, !noalias !18
   %64 = add i64 %.438.i, %lsr.iv136.i
   %.441.i = inttoptr i64 %64 to ptr
@@ -1753,7 +1753,7 @@ _ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v24B86c8tJTIeFIjx
   %.512.i.i = load double, ptr %.525.i.i, align 8, !noalias !24
   %.568.i37.i = getelementptr i8, ptr %lsr.iv.i26, i64 104
   tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.568.i37.i, i8 0, i64 16, i1 false), !noalias !24
-  br i1 %.542.i.i, label %B344.i.i, label %_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.542.i.i, label %B344.i.i, label %_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B344.i.i:                                         ; preds = %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %.599.i.i = getelementptr i8, ptr %lsr.iv.i26, i64 112
@@ -1816,9 +1816,9 @@ B344.i.i:                                         ; preds = %_ZN17bnserve_infere
   %113 = xor i64 %.816.i.i, %.807.i.i
   %.821.i.i = xor i64 %113, %.811.i.i
   %.822.i.i = bitcast i64 %.821.i.i to double
-  br label %_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br label %_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B344.i.i, %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B344.i.i, %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %sin_h.2.0.i38.i = phi double [ %.819.i.i, %B344.i.i ], [ %.264.i16.i, %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %cos_h.2.0.i39.i = phi double [ %.822.i.i, %B344.i.i ], [ %.267.i18.i, %_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %.908.i.i = fmul contract double %.454.i.i44, %cos_h.2.0.i39.i
@@ -2039,9 +2039,9 @@ _ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSg
   %lsr.iv.next137.i = add i64 %lsr.iv136.i, 72
   %lsr.iv.next139.i = add nsw i64 %lsr.iv138.i, -1
   %exitcond.not.i53 = icmp eq i64 %lsr.iv.next139.i, 0
-  br i1 %exitcond.not.i53, label %_ZN17bnserve_inference7adjoint7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B268.if.i
+  br i1 %exitcond.not.i53, label %_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B268.if.i
 
-_ZN17bnserve_inference7adjoint7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B666.if
+_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B666.if
   %.50.i = load i64, ptr %.76, align 8, !noalias !27
   %.80.i57 = load i64, ptr %.140, align 8, !noalias !27
   %.110.i = load i64, ptr %.106, align 8, !noalias !27
@@ -2056,7 +2056,7 @@ _ZN17bnserve_inference7adjoint7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1
   %.293.i = icmp sgt i64 %.194.i, 0
   br i1 %.293.i, label %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v59B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B288.i
 
-B288.i:                                           ; preds = %_ZN17bnserve_inference7adjoint7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B288.i:                                           ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.373.i = shl i64 %.80.i57, 1
   %.640.i = mul nsw i64 %.50.i, %.164.i
   %.10071109.not.i = icmp slt i64 %.50.i, 1
@@ -2500,7 +2500,7 @@ B1238.if.i:                                       ; preds = %B1238.if.i, %B1238.
   %195 = add i64 %.191910651067.i, 4
   br i1 %.1913.3.i, label %B1238.if.i, label %B1254.i
 
-_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v59B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B1254.i, %B288.i, %_ZN17bnserve_inference7adjoint7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v59B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B1254.i, %B288.i, %_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.961.sroa.12.1 = inttoptr i64 %.232.i to ptr
   br i1 %.1084949.not, label %B1254, label %B918.if.preheader
 
@@ -2508,9 +2508,9 @@ B918.if.preheader:                                ; preds = %_ZN17bnserve_infere
   %.268.i.i220 = shl i64 %.7709701030, 4
   br label %B918.if
 
-B918.if:                                          ; preds = %B918.if.preheader, %_ZN17bnserve_inference7adjoint7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  %.1083927953 = phi i64 [ %.1093, %_ZN17bnserve_inference7adjoint7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.1063, %B918.if.preheader ]
-  %.1090933952 = phi i64 [ %.1097, %_ZN17bnserve_inference7adjoint7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ 0, %B918.if.preheader ]
+B918.if:                                          ; preds = %B918.if.preheader, %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %.1083927953 = phi i64 [ %.1093, %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.1063, %B918.if.preheader ]
+  %.1090933952 = phi i64 [ %.1097, %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ 0, %B918.if.preheader ]
   %.1093 = add nsw i64 %.1083927953, -1
   %.1097 = add i64 %.1090933952, 128
   %.1127 = sub nsw i64 %.184, %.1090933952
@@ -2540,7 +2540,7 @@ B968.i:                                           ; preds = %B722.if.i, %B582.if
 
 B970.i:                                           ; preds = %B968.i, %B918.if
   %.21981493.not.i = icmp slt i64 %.79.i107, 1
-  br i1 %.21981493.not.i, label %_ZN17bnserve_inference7adjoint7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1000.if.lr.ph.i
+  br i1 %.21981493.not.i, label %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1000.if.lr.ph.i
 
 B1000.if.lr.ph.i:                                 ; preds = %B970.i
   %.2357.i = sub nsw i64 %.137.i, %.1090933952
@@ -2726,12 +2726,12 @@ B34.if.i355.i:                                    ; preds = %B34.if.i355.i, %B10
 B1002.endif.endif.endif.endif.endif.endif.endif.endif.i: ; preds = %B34.if.i355.i, %B1000.if.i
   %lsr.iv.next.i139 = add i64 %lsr.iv.i122, %.137.i
   %exitcond1845.not.i = icmp eq i64 %.2211.i, %.79.i107
-  br i1 %exitcond1845.not.i, label %_ZN17bnserve_inference7adjoint7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1000.if.i
+  br i1 %exitcond1845.not.i, label %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1000.if.i
 
-_ZN17bnserve_inference7adjoint7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1002.endif.endif.endif.endif.endif.endif.endif.endif.i, %B970.i
+_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1002.endif.endif.endif.endif.endif.endif.endif.endif.i, %B970.i
   br i1 %58, label %B1212, label %B1040.if.preheader
 
-B1040.if.preheader:                               ; preds = %_ZN17bnserve_inference7adjoint7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B1040.if.preheader:                               ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.104.i.i.i = icmp sgt i64 %.1127, 0
   %221 = shl nuw nsw i64 %.13.i, 3
   %unroll_iter.i.i.i = and i64 %.13.i, 9223372036854775800
@@ -2759,10 +2759,10 @@ B1040.if.preheader:                               ; preds = %_ZN17bnserve_infere
   %238 = add nuw nsw i64 %.116.i.i171, 5
   br label %B1040.if
 
-B1040.if:                                         ; preds = %B1040.if.preheader, %_ZN17bnserve_inference7adjoint7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  %lsr.iv270 = phi ptr [ %scevgep271, %_ZN17bnserve_inference7adjoint7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.230, %B1040.if.preheader ]
-  %lsr.iv = phi ptr [ %scevgep, %_ZN17bnserve_inference7adjoint7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.363, %B1040.if.preheader ]
-  %.1282920924 = phi i64 [ %.1289, %_ZN17bnserve_inference7adjoint7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ 0, %B1040.if.preheader ]
+B1040.if:                                         ; preds = %B1040.if.preheader, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %lsr.iv270 = phi ptr [ %scevgep271, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.230, %B1040.if.preheader ]
+  %lsr.iv = phi ptr [ %scevgep, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.363, %B1040.if.preheader ]
+  %.1282920924 = phi i64 [ %.1289, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ 0, %B1040.if.preheader ]
   call void @llvm.lifetime.start.p0(ptr nonnull %.747.i)
   call void @llvm.lifetime.start.p0(ptr nonnull %.782.i)
   store ptr null, ptr %.747.i, align 8, !noalias !45
@@ -2908,7 +2908,7 @@ B224.i.i:                                         ; preds = %B1040.if
   store double 1.000000e+00, ptr %sunkaddr103.7.i.i, align 8, !noalias !48
   store double 1.000000e+00, ptr %sunkaddr106.7.i.i, align 8, !noalias !48
   store double 1.000000e+00, ptr %sunkaddr109.7.i.i, align 8, !noalias !48
-  br label %_ZN17bnserve_inference7adjoint7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br label %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B258.i.i:                                         ; preds = %B1040.if
   %.1130.i.i146 = shl nsw i64 %.134.i, 3
@@ -2924,7 +2924,7 @@ B258.i.i:                                         ; preds = %B1040.if
 
 B1002.i.i:                                        ; preds = %B786.if.i.i, %B258.endif.endif.endif.endif.endif.endif.endif.i.i
   tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(1024) %.1913.i.i, i8 0, i64 1024, i1 false), !noalias !48
-  br label %_ZN17bnserve_inference7adjoint7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br label %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B60.if.preheader.i.i.i:                           ; preds = %B258.i.i
   tail call void @llvm.memset.p0.i64(ptr nonnull align 8 %.1001.i.i145, i8 0, i64 %221, i1 false), !noalias !51
@@ -3138,7 +3138,7 @@ B786.if.i.i:                                      ; preds = %B258.endif.endif.en
   %.1584.i.i = icmp sgt i64 %lsr.iv3.i.i158, 5
   br i1 %.1584.i.i, label %B786.if.i.i, label %B1002.i.i
 
-_ZN17bnserve_inference7adjoint7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1002.i.i, %B224.i.i
+_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1002.i.i, %B224.i.i
   %.2303.sink.i.i = phi ptr [ %.2303.i.i160, %B1002.i.i ], [ %.148.i.i, %B224.i.i ]
   tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(1024) %.2303.sink.i.i, i8 0, i64 1024, i1 false), !noalias !48
   %.510.i = icmp sgt i64 %.104.i, 0
@@ -3461,9 +3461,9 @@ B802.if.lr.ph.i:                                  ; preds = %B632.endif.i
   %sunkaddr38.i.i = getelementptr i8, ptr %lsr.iv, i64 96
   br label %B802.if.i
 
-B268.if.i.i:                                      ; preds = %_ZN17bnserve_inference7adjoint7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B268.if.i.i
-  %lsr.iv44.i = phi i64 [ %lsr.iv.next45.i, %B268.if.i.i ], [ %237, %_ZN17bnserve_inference7adjoint7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %lsr.iv145.i = phi ptr [ %scevgep.i261, %B268.if.i.i ], [ %.430, %_ZN17bnserve_inference7adjoint7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+B268.if.i.i:                                      ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B268.if.i.i
+  %lsr.iv44.i = phi i64 [ %lsr.iv.next45.i, %B268.if.i.i ], [ %237, %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %lsr.iv145.i = phi ptr [ %scevgep.i261, %B268.if.i.i ], [ %.430, %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %scevgep154.i = getelementptr i8, ptr %lsr.iv145.i, i64 6144
   %.608.i.i = load <8 x double>, ptr %scevgep154.i, align 8, !noalias !68
   %scevgep153.i = getelementptr i8, ptr %lsr.iv145.i, i64 7168
@@ -3499,8 +3499,8 @@ B268.if.i.i:                                      ; preds = %_ZN17bnserve_infere
   %.480.i.i = icmp sgt i64 %lsr.iv44.i, 5
   br i1 %.480.i.i, label %B268.if.i.i, label %B1008.i
 
-B1008.i:                                          ; preds = %B268.if.i.i, %_ZN17bnserve_inference7adjoint7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  br i1 %.93.inv.i.i, label %_ZN17bnserve_inference7adjoint5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B250.lr.ph.i.i
+B1008.i:                                          ; preds = %B268.if.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.93.inv.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B250.lr.ph.i.i
 
 B250.lr.ph.i.i:                                   ; preds = %B1008.i
   %.144.i.i = load double, ptr %sunkaddr47.i, align 8, !noalias !71
@@ -3664,7 +3664,7 @@ B5889.i.i:                                        ; preds = %B2058.if.i.i
   %265 = tail call i64 @llvm.smax.i64(i64 %.224.14225.in.i.i, i64 2)
   %266 = add nsw i64 %265, -1
   %.269.sroa.0.0.i.i = select i1 %.279.i.i, i64 %.221.14224.i.i, i64 0
-  br i1 %.279.i.i, label %B250.i.i, label %_ZN17bnserve_inference7adjoint5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.279.i.i, label %B250.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B2058.if.i.i:                                     ; preds = %B2058.if.i.i, %B250.i.i
   %exitcond.not.i.i269 = phi i1 [ true, %B2058.if.i.i ], [ false, %B250.i.i ]
@@ -3693,7 +3693,7 @@ B2058.if.i.i:                                     ; preds = %B2058.if.i.i, %B250
   store <8 x double> %.6.i4326.i.i, ptr %.2508.i.i, align 8, !noalias !71
   br i1 %exitcond.not.i.i269, label %B5889.i.i, label %B2058.if.i.i
 
-_ZN17bnserve_inference7adjoint5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B5889.i.i, %B1008.i
+_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B5889.i.i, %B1008.i
   %by_hour.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1008.i ], [ %.6.i4382.i.i, %B5889.i.i ]
   %by_declination.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1008.i ], [ %.6.i4435.i.i, %B5889.i.i ]
   %by_polarization.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1008.i ], [ %.6.i4464.i.i, %B5889.i.i ]
@@ -3778,9 +3778,9 @@ _ZN17bnserve_inference7adjoint5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCK
   %exitcond857.not.i = icmp eq i64 %.1079.i, %.104.i
   br i1 %exitcond857.not.i, label %B1100.i, label %B802.if.i
 
-B1100.i:                                          ; preds = %_ZN17bnserve_inference7adjoint5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %_ZN17bnserve_inference7adjoint7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B1100.i:                                          ; preds = %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %.1494.i161 = icmp sgt i64 %.134.i, 0
-  br i1 %.1494.i161, label %B1112.i, label %_ZN17bnserve_inference7adjoint7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.1494.i161, label %B1112.i, label %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B1112.i:                                          ; preds = %B1100.i
   call void @llvm.lifetime.start.p0(ptr nonnull %.880.i.i140), !noalias !45
@@ -3795,7 +3795,7 @@ B1112.i:                                          ; preds = %B1100.i
   %.312.i.i167 = inttoptr i64 %.308.i.i to ptr
   %invariant.gep.i.i = getelementptr double, ptr %.312.i.i167, i64 %.1090933952
   %.741503.not.i.i = icmp slt i64 %.69.i.i, 1
-  br i1 %.741503.not.i.i, label %_ZN17bnserve_inference7adjoint5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B482.if.preheader.i.i
+  br i1 %.741503.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B482.if.preheader.i.i
 
 B482.if.preheader.i.i:                            ; preds = %B1112.i
   %.514.i.i = load i64, ptr %59, align 8, !noalias !74
@@ -3827,7 +3827,7 @@ B482.if.1.i.i:                                    ; preds = %B482.if.1.i.i, %B59
   store double %.913.1.i.i, ptr %scevgep88.i.i, align 8, !noalias !74
   %scevgep.i28.i = getelementptr i8, ptr %lsr.iv.i.i170, i64 %270
   %exitcond.not.1.i.i = icmp eq i64 %.69.i.i, %.754.1.i.i
-  br i1 %exitcond.not.1.i.i, label %_ZN17bnserve_inference7adjoint5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B482.if.1.i.i
+  br i1 %exitcond.not.1.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B482.if.1.i.i
 
 B482.if.i.i:                                      ; preds = %B482.if.i.i, %B482.if.preheader.i.i
   %lsr.iv89.i.i = phi ptr [ %invariant.gep.i.i, %B482.if.preheader.i.i ], [ %scevgep90.i.i, %B482.if.i.i ]
@@ -3845,11 +3845,11 @@ B482.if.i.i:                                      ; preds = %B482.if.i.i, %B482.
   %exitcond.not.i27.i = icmp eq i64 %.69.i.i, %.754.i.i
   br i1 %exitcond.not.i27.i, label %B594.i.i, label %B482.if.i.i
 
-_ZN17bnserve_inference7adjoint5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B482.if.1.i.i, %B1112.i
+_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B482.if.1.i.i, %B1112.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.880.i.i140), !noalias !45
-  br label %_ZN17bnserve_inference7adjoint7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br label %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
-B358.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_inference7adjoint7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B358.if.lr.ph.i:                                  ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %sunkaddr79.i = getelementptr i8, ptr %lsr.iv270, i64 160
   %sunkaddr8.i.i = getelementptr i8, ptr %lsr.iv270, i64 24
   %sunkaddr9.i.i = getelementptr i8, ptr %lsr.iv270, i64 16
@@ -3888,9 +3888,9 @@ B632.endif.i:                                     ; preds = %B1190.i.i, %B596.i,
   %exitcond.not.i213 = icmp eq i64 %.565.i, %.104.i
   br i1 %exitcond.not.i213, label %B802.if.lr.ph.i, label %B358.if.i
 
-B802.if.i:                                        ; preds = %_ZN17bnserve_inference7adjoint5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B802.if.lr.ph.i
-  %lsr.iv.i222 = phi i64 [ 21504, %B802.if.lr.ph.i ], [ %lsr.iv.next.i273, %_ZN17bnserve_inference7adjoint5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %.1072818825.i = phi i64 [ 0, %B802.if.lr.ph.i ], [ %.1079.i, %_ZN17bnserve_inference7adjoint5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+B802.if.i:                                        ; preds = %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B802.if.lr.ph.i
+  %lsr.iv.i222 = phi i64 [ 21504, %B802.if.lr.ph.i ], [ %lsr.iv.next.i273, %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %.1072818825.i = phi i64 [ 0, %B802.if.lr.ph.i ], [ %.1079.i, %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %.1079.i = add nuw nsw i64 %.1072818825.i, 1
   %.idx.i223 = mul i64 %.1072818825.i, 27648
   %276 = getelementptr i8, ptr %.430, i64 %.idx.i223
@@ -3914,7 +3914,7 @@ B802.if.i:                                        ; preds = %_ZN17bnserve_infere
   tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(4096) %.760.i.i, i8 0, i64 4096, i1 false), !noalias !77
   %.1159.i.i226 = load i64, ptr %.1158.i.i219, align 8, !noalias !77
   %.1239800.not.i.i = icmp slt i64 %.1159.i.i226, 1
-  br i1 %.1239800.not.i.i, label %_ZN17bnserve_inference7adjoint7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B714.if.lr.ph.i.i
+  br i1 %.1239800.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B714.if.lr.ph.i.i
 
 B714.if.lr.ph.i.i:                                ; preds = %B802.if.i
   %.560.i.i = shl nsw i64 %.189.i.i, 4
@@ -3944,10 +3944,10 @@ B714.if.lr.ph.i.i:                                ; preds = %B802.if.i
   %sunkaddr13.i31.i = getelementptr i8, ptr %279, i64 8
   br label %B714.if.i.i
 
-B788.i.i:                                         ; preds = %_ZN17bnserve_inference7adjoint7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B788.i.i:                                         ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   br i1 %.93.inv.i.i, label %B1016.i.i, label %B382.lr.ph.i.i.i
 
-B896.i.i:                                         ; preds = %_ZN17bnserve_inference7adjoint7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B896.i.i:                                         ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   %.48.i.i.i = load double, ptr %279, align 8, !noalias !80
   %.49.i.i.i = fsub contract double %.1316.i.i234, %.48.i.i.i
   %.78.i.i.i = load double, ptr %sunkaddr13.i31.i, align 8, !noalias !80
@@ -4061,7 +4061,7 @@ B896.i.i:                                         ; preds = %_ZN17bnserve_infere
 
 B1016.i.i:                                        ; preds = %B394.i.i.i, %B382.i.i.i, %B896.i.i, %B788.i.i
   %exitcond829.not.i.i = icmp eq i64 %.1252.i.i, %.1159.i.i226
-  br i1 %exitcond829.not.i.i, label %_ZN17bnserve_inference7adjoint7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B714.if.i.i
+  br i1 %exitcond829.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B714.if.i.i
 
 B714.if.i.i:                                      ; preds = %B1016.i.i, %B714.if.lr.ph.i.i
   %.1245791801.i.i = phi i64 [ 0, %B714.if.lr.ph.i.i ], [ %.1252.i.i, %B1016.i.i ]
@@ -4084,7 +4084,7 @@ B266.i.i.i:                                       ; preds = %B714.if.i.i
   %.456.i.i.i = add nsw i64 %.455.i.i.i, %.430.i.i.i
   %.1203793.not.i.i.i = icmp slt i64 %.13.i.i1.i.i, 1
   tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(2048) %.586, i8 0, i64 2048, i1 false), !noalias !83
-  br i1 %.1203793.not.i.i.i, label %_ZN17bnserve_inference7adjoint7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B470.if.preheader.i.i.i
+  br i1 %.1203793.not.i.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B470.if.preheader.i.i.i
 
 B470.if.preheader.i.i.i:                          ; preds = %B266.i.i.i
   %282 = icmp eq i64 %.13.i.i1.i.i, 1
@@ -4138,7 +4138,7 @@ B540.loopexit.unr-lcssa.i.i.i:                    ; preds = %B470.if.epil.prehea
   %.1216.1.lcssa.i.i.i = phi i64 [ %.1216.1.epil.i.i.i, %B470.if.epil.preheader1.i.i.i ], [ %.1216.1.1.i.i.i, %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i ]
   %291 = and i64 %.13.i.i1.i.i, 1
   %lcmp.mod.not.i.i.i = icmp eq i64 %291, 0
-  br i1 %lcmp.mod.not.i.i.i, label %_ZN17bnserve_inference7adjoint7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B470.if.epil.preheader.i.i.i
+  br i1 %lcmp.mod.not.i.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B470.if.epil.preheader.i.i.i
 
 B470.if.epil.preheader.i.i.i:                     ; preds = %B540.loopexit.unr-lcssa.i.i.i, %B470.if.preheader.i.i.i
   %.1209792794.epil.init.i.i.i = phi i64 [ 0, %B470.if.preheader.i.i.i ], [ %.1216.1.lcssa.i.i.i, %B540.loopexit.unr-lcssa.i.i.i ]
@@ -4154,7 +4154,7 @@ B470.if.epil.preheader.i.i.i:                     ; preds = %B540.loopexit.unr-l
   store double %.1271.epil.i.i.i, ptr %sunkaddr164.i.i.i, align 8, !noalias !83
   %sunkaddr101.i.i.i = getelementptr i8, ptr %sunkaddr163.i.i.i, i64 13312
   store double %.1303.epil.i.i.i, ptr %sunkaddr101.i.i.i, align 8, !noalias !83
-  br label %_ZN17bnserve_inference7adjoint7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
 B544.i.i.i:                                       ; preds = %B714.if.i.i
   %.320.i.i.i = load i64, ptr %.1158.i.i219, align 8, !noalias !83
@@ -4425,7 +4425,7 @@ B544.i.i.i:                                       ; preds = %B714.if.i.i
   store double %.1554.i.i.i, ptr %sunkaddr219.7.i.i.i, align 8, !noalias !83
   store double %.1554.i.i.i, ptr %sunkaddr222.7.i.i.i, align 8, !noalias !83
   store double %.1554.i.i.i, ptr %sunkaddr225.7.i.i.i, align 8, !noalias !83
-  br label %_ZN17bnserve_inference7adjoint7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
 B470.if.i.i.i:                                    ; preds = %B470.if.i.i.i, %B470.if.preheader.new.new.i.i.i
   %lsr.iv.i2.i.i = phi i64 [ %lsr.iv.next1.i.i.i, %B470.if.i.i.i ], [ %289, %B470.if.preheader.new.new.i.i.i ]
@@ -4472,7 +4472,7 @@ B470.if.i.i.i:                                    ; preds = %B470.if.i.i.i, %B47
   %niter.ncmp.110.i.i.i = icmp eq i64 %lsr.iv.next1.i.i.i, 0
   br i1 %niter.ncmp.110.i.i.i, label %B540.loopexit.unr-lcssa.unr-lcssa.i.i.i, label %B470.if.i.i.i
 
-_ZN17bnserve_inference7adjoint7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B544.i.i.i, %B470.if.epil.preheader.i.i.i, %B540.loopexit.unr-lcssa.i.i.i, %B266.i.i.i
+_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B544.i.i.i, %B470.if.epil.preheader.i.i.i, %B540.loopexit.unr-lcssa.i.i.i, %B266.i.i.i
   %.1313.i.i232 = uitofp nneg i64 %.1245791801.i.i to double
   %.1314.i.i233 = fmul contract double %.455751.i.i, %.1313.i.i232
   %.1316.i.i234 = fadd contract double %.1227.i, %.1314.i.i233
@@ -4734,19 +4734,19 @@ B394.lr.ph.i.i.i:                                 ; preds = %B896.i.i
   %.7.i730.i.i.i = shufflevector <8 x double> %.6.i729.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   br label %B394.i.i.i
 
-_ZN17bnserve_inference7adjoint7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1016.i.i, %B802.if.i
+_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1016.i.i, %B802.if.i
   %.74.i.i239 = load i64, ptr %.76, align 8, !noalias !92
   %.190.i.i = add nsw i64 %.74.i.i239, 1
   %.192.i.i = mul nsw i64 %.190.i.i, %.74.i.i239
   %.272.i33.i = and i64 %.192.i.i, -2
   %.412887.not.i.i = icmp slt i64 %.74.i.i239, 1
-  br i1 %.412887.not.i.i, label %_ZN17bnserve_inference7adjoint7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B290.if.lr.ph.i.i
+  br i1 %.412887.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B290.if.lr.ph.i.i
 
 B290.loopexit.i.i:                                ; preds = %B1078.i.i
   %.425.i.i = add nuw nsw i64 %.356.0.i.i, 1
   %scevgep267.i.i = getelementptr i8, ptr %lsr.iv.i37.i, i64 27648
   %exitcond262.not.i.i = icmp eq i64 %.425.i.i, %.74.i.i239
-  br i1 %exitcond262.not.i.i, label %_ZN17bnserve_inference7adjoint7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B290.if.i.i
+  br i1 %exitcond262.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B290.if.i.i
 
 B836.i.i:                                         ; preds = %B274.i.i.i, %B328.if.i.i
   br i1 %brmerge1.i.i, label %B1078.i.i, label %B174.if.preheader.i117.i.i
@@ -4757,7 +4757,7 @@ B1078.i.i:                                        ; preds = %B274.i130.i.i, %B83
   %exitcond.not.i50.i = icmp eq i64 %.553.i.i244, %.74.i.i239
   br i1 %exitcond.not.i50.i, label %B290.loopexit.i.i, label %B328.if.i.i
 
-B290.if.lr.ph.i.i:                                ; preds = %_ZN17bnserve_inference7adjoint7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B290.if.lr.ph.i.i:                                ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %.200.1.i.i = lshr i64 %.192.i.i, 1
   %.269.i34.i = mul i64 %.268.i.i220, %.200.1.i.i
   %.266.i.i240 = load i64, ptr %.265.i.i221, align 8, !noalias !92
@@ -4913,10 +4913,10 @@ B174.if.i122.i.i:                                 ; preds = %B274.i130.i.i, %B17
   %.462.i126.i.i = load <8 x double>, ptr %scevgep140.i125.i.i, align 8, !noalias !98
   br i1 %309, label %B274.i130.i.i, label %B214.i127.i.i
 
-_ZN17bnserve_inference7adjoint7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B290.loopexit.i.i, %_ZN17bnserve_inference7adjoint7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i
+_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B290.loopexit.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i
   br i1 %or.cond.i214, label %B1008.i, label %B268.if.i.i
 
-_ZN17bnserve_inference7adjoint7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1100.i, %_ZN17bnserve_inference7adjoint5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1100.i, %_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.747.i)
   call void @llvm.lifetime.end.p0(ptr nonnull %.782.i)
   %.1289 = add nuw nsw i64 %.1282920924, 1
@@ -5569,32 +5569,32 @@ attributes #4 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 attributes #5 = { nocallback nofree nosync nounwind willreturn memory(argmem: readwrite) }
 
 !0 = !{!1}
-!1 = distinct !{!1, !2, !"_ZN17bnserve_inference7adjoint7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!2 = distinct !{!2, !"_ZN17bnserve_inference7adjoint7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!1 = distinct !{!1, !2, !"_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!2 = distinct !{!2, !"_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v460B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !3 = !{!4, !1}
-!4 = distinct !{!4, !5, !"_ZN17bnserve_inference7adjoint5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!5 = distinct !{!5, !"_ZN17bnserve_inference7adjoint5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!4 = distinct !{!4, !5, !"_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!5 = distinct !{!5, !"_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !6 = !{!7}
-!7 = distinct !{!7, !8, !"_ZN17bnserve_inference7adjoint7_source9_sky_backB4v485B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!8 = distinct !{!8, !"_ZN17bnserve_inference7adjoint7_source9_sky_backB4v485B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!7 = distinct !{!7, !8, !"_ZN17bnserve_inference14adjoint_kernel7_source9_sky_backB4v485B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!8 = distinct !{!8, !"_ZN17bnserve_inference14adjoint_kernel7_source9_sky_backB4v485B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !9 = !{!10}
-!10 = distinct !{!10, !11, !"_ZN17bnserve_inference7adjoint8_passing12passing_backB4v490B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!11 = distinct !{!11, !"_ZN17bnserve_inference7adjoint8_passing12passing_backB4v490B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!10 = distinct !{!10, !11, !"_ZN17bnserve_inference14adjoint_kernel8_passing12passing_backB4v490B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!11 = distinct !{!11, !"_ZN17bnserve_inference14adjoint_kernel8_passing12passing_backB4v490B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !12 = !{!13, !10}
-!13 = distinct !{!13, !14, !"_ZN17bnserve_inference7adjoint8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!14 = distinct !{!14, !"_ZN17bnserve_inference7adjoint8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE"}
+!13 = distinct !{!13, !14, !"_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!14 = distinct !{!14, !"_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v501B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE"}
 !15 = !{!16}
-!16 = distinct !{!16, !17, !"_ZN17bnserve_inference7adjoint5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!17 = distinct !{!17, !"_ZN17bnserve_inference7adjoint5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!16 = distinct !{!16, !17, !"_ZN17bnserve_inference14adjoint_kernel5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!17 = distinct !{!17, !"_ZN17bnserve_inference14adjoint_kernel5_back11binary_backB4v506B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !18 = !{!19}
-!19 = distinct !{!19, !20, !"_ZN17bnserve_inference7adjoint7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!20 = distinct !{!20, !"_ZN17bnserve_inference7adjoint7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!19 = distinct !{!19, !20, !"_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!20 = distinct !{!20, !"_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v16B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !21 = !{!22, !19}
 !22 = distinct !{!22, !23, !"_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !23 = distinct !{!23, !"_ZN17bnserve_inference13moving_kernel9_response12coefficientsB3v24B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !24 = !{!25, !19}
-!25 = distinct !{!25, !26, !"_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!26 = distinct !{!26, !"_ZN17bnserve_inference7adjoint9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_inference14adjoint_kernel9_response13fill_geometryB3v43B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !27 = !{!28}
 !28 = distinct !{!28, !29, !"_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v59B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
 !29 = distinct !{!29, !"_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v59B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE"}
@@ -5605,8 +5605,8 @@ attributes #5 = { nocallback nofree nosync nounwind willreturn memory(argmem: re
 !34 = distinct !{!34, !"_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v74B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !35 = distinct !{!35, !31}
 !36 = !{!37}
-!37 = distinct !{!37, !38, !"_ZN17bnserve_inference7adjoint7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!38 = distinct !{!38, !"_ZN17bnserve_inference7adjoint7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !38, !"_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!38 = distinct !{!38, !"_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v77B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !39 = !{!40, !37}
 !40 = distinct !{!40, !41, !"_ZN17bnserve_inference12modes_kernel7_source9_add_modeB4v111B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !41 = distinct !{!41, !"_ZN17bnserve_inference12modes_kernel7_source9_add_modeB4v111B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
@@ -5614,11 +5614,11 @@ attributes #5 = { nocallback nofree nosync nounwind willreturn memory(argmem: re
 !43 = distinct !{!43, !44, !"_ZN17bnserve_inference12modes_kernel7_source9_add_modeB4v111B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !44 = distinct !{!44, !"_ZN17bnserve_inference12modes_kernel7_source9_add_modeB4v111B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !45 = !{!46}
-!46 = distinct !{!46, !47, !"_ZN17bnserve_inference7adjoint7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!47 = distinct !{!47, !"_ZN17bnserve_inference7adjoint7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!46 = distinct !{!46, !47, !"_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!47 = distinct !{!47, !"_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v112B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !48 = !{!49, !46}
-!49 = distinct !{!49, !50, !"_ZN17bnserve_inference7adjoint7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!50 = distinct !{!50, !"_ZN17bnserve_inference7adjoint7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!49 = distinct !{!49, !50, !"_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!50 = distinct !{!50, !"_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v123B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !51 = !{!52, !49, !46}
 !52 = distinct !{!52, !53, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v138B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !53 = distinct !{!53, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v138B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
@@ -5628,44 +5628,44 @@ attributes #5 = { nocallback nofree nosync nounwind willreturn memory(argmem: re
 !57 = distinct !{!57, !58, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v138B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !58 = distinct !{!58, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v138B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !59 = !{!60, !46}
-!60 = distinct !{!60, !61, !"_ZN17bnserve_inference7adjoint9_response14clear_patternsB4v141B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!61 = distinct !{!61, !"_ZN17bnserve_inference7adjoint9_response14clear_patternsB4v141B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE"}
+!60 = distinct !{!60, !61, !"_ZN17bnserve_inference14adjoint_kernel9_response14clear_patternsB4v141B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!61 = distinct !{!61, !"_ZN17bnserve_inference14adjoint_kernel9_response14clear_patternsB4v141B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE"}
 !62 = !{!63, !46}
-!63 = distinct !{!63, !64, !"_ZN17bnserve_inference7adjoint9_response14short_patternsB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!64 = distinct !{!64, !"_ZN17bnserve_inference7adjoint9_response14short_patternsB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!63 = distinct !{!63, !64, !"_ZN17bnserve_inference14adjoint_kernel9_response14short_patternsB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!64 = distinct !{!64, !"_ZN17bnserve_inference14adjoint_kernel9_response14short_patternsB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !65 = !{!66, !46}
-!66 = distinct !{!66, !67, !"_ZN17bnserve_inference7adjoint5_sums7respondB4v227B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEddxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!67 = distinct !{!67, !"_ZN17bnserve_inference7adjoint5_sums7respondB4v227B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEddxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!66 = distinct !{!66, !67, !"_ZN17bnserve_inference14adjoint_kernel5_sums7respondB4v227B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEddxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!67 = distinct !{!67, !"_ZN17bnserve_inference14adjoint_kernel5_sums7respondB4v227B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEddxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !68 = !{!69, !46}
-!69 = distinct !{!69, !70, !"_ZN17bnserve_inference7adjoint5_back11errors_backB4v349B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!70 = distinct !{!70, !"_ZN17bnserve_inference7adjoint5_back11errors_backB4v349B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!69 = distinct !{!69, !70, !"_ZN17bnserve_inference14adjoint_kernel5_back11errors_backB4v349B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!70 = distinct !{!70, !"_ZN17bnserve_inference14adjoint_kernel5_back11errors_backB4v349B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !71 = !{!72, !46}
-!72 = distinct !{!72, !73, !"_ZN17bnserve_inference7adjoint5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!73 = distinct !{!73, !"_ZN17bnserve_inference7adjoint5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!72 = distinct !{!72, !73, !"_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!73 = distinct !{!73, !"_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v367B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !74 = !{!75, !46}
-!75 = distinct !{!75, !76, !"_ZN17bnserve_inference7adjoint5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!76 = distinct !{!76, !"_ZN17bnserve_inference7adjoint5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!75 = distinct !{!75, !76, !"_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!76 = distinct !{!76, !"_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v449B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !77 = !{!78, !46}
-!78 = distinct !{!78, !79, !"_ZN17bnserve_inference7adjoint7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!79 = distinct !{!79, !"_ZN17bnserve_inference7adjoint7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE"}
+!78 = distinct !{!78, !79, !"_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!79 = distinct !{!79, !"_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE"}
 !80 = !{!81, !78, !46}
 !81 = distinct !{!81, !82, !"_ZN17bnserve_inference6kernel5_sums9spline_atB4v300B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi1E1C7mutable7alignedExxx: %retptr"}
 !82 = distinct !{!82, !"_ZN17bnserve_inference6kernel5_sums9spline_atB4v300B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi1E1C7mutable7alignedExxx"}
 !83 = !{!84, !78, !46}
-!84 = distinct !{!84, !85, !"_ZN17bnserve_inference7adjoint7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!85 = distinct !{!85, !"_ZN17bnserve_inference7adjoint7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!84 = distinct !{!84, !85, !"_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!85 = distinct !{!85, !"_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v277B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !86 = !{!87, !78, !46}
-!87 = distinct !{!87, !88, !"_ZN17bnserve_inference7adjoint5_sums9add_fixedB4v284B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!88 = distinct !{!88, !"_ZN17bnserve_inference7adjoint5_sums9add_fixedB4v284B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!87 = distinct !{!87, !88, !"_ZN17bnserve_inference14adjoint_kernel5_sums9add_fixedB4v284B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!88 = distinct !{!88, !"_ZN17bnserve_inference14adjoint_kernel5_sums9add_fixedB4v284B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !89 = !{!90, !78, !46}
-!90 = distinct !{!90, !91, !"_ZN17bnserve_inference7adjoint5_sums11add_splinedB4v303B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE8UniTupleIdLi6EEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!91 = distinct !{!91, !"_ZN17bnserve_inference7adjoint5_sums11add_splinedB4v303B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE8UniTupleIdLi6EEx5ArrayIdLi1E1C7mutable7alignedE"}
+!90 = distinct !{!90, !91, !"_ZN17bnserve_inference14adjoint_kernel5_sums11add_splinedB4v303B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE8UniTupleIdLi6EEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!91 = distinct !{!91, !"_ZN17bnserve_inference14adjoint_kernel5_sums11add_splinedB4v303B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE8UniTupleIdLi6EEx5ArrayIdLi1E1C7mutable7alignedE"}
 !92 = !{!93, !46}
-!93 = distinct !{!93, !94, !"_ZN17bnserve_inference7adjoint7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!94 = distinct !{!94, !"_ZN17bnserve_inference7adjoint7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!93 = distinct !{!93, !94, !"_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!94 = distinct !{!94, !"_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v324B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !95 = !{!96, !93, !46}
-!96 = distinct !{!96, !97, !"_ZN17bnserve_inference7adjoint5_sums8add_pairB4v344B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!97 = distinct !{!97, !"_ZN17bnserve_inference7adjoint5_sums8add_pairB4v344B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE"}
+!96 = distinct !{!96, !97, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v344B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!97 = distinct !{!97, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v344B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE"}
 !98 = !{!99, !93, !46}
-!99 = distinct !{!99, !100, !"_ZN17bnserve_inference7adjoint5_sums8add_pairB4v344B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!100 = distinct !{!100, !"_ZN17bnserve_inference7adjoint5_sums8add_pairB4v344B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE"}
+!99 = distinct !{!99, !100, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v344B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!100 = distinct !{!100, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v344B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE"}

@@ -1,4 +1,4 @@
-"""Compile the adjoint of the contraction: ``python -m bnserve_inference.adjoint.build``.
+"""Compile the adjoint of the contraction: ``python -m bnserve_inference.adjoint_kernel.build``.
 
 See :mod:`bnserve_inference.kernel.build`; run it again after every change of a source.
 """
@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from bnserve_inference.adjoint._call import ASSEMBLY, ENTRY_POINT
-from bnserve_inference.adjoint._layout import ARGUMENTS
+from bnserve_inference.adjoint_kernel._call import ASSEMBLY, ENTRY_POINT
+from bnserve_inference.adjoint_kernel._layout import ARGUMENTS
 from bnserve_inference.moving_kernel import build as moving
 from bnserve_surrogate.kernel import build
 
@@ -20,5 +20,5 @@ def sources() -> list[Path]:
 
 
 if __name__ == "__main__":
-    adjoint = "bnserve_inference.adjoint._source:pull"
+    adjoint = "bnserve_inference.adjoint_kernel._source:pull"
     build.write_assembly(ASSEMBLY, sources(), lambda: build.compile_kernel(adjoint, ARGUMENTS, ENTRY_POINT))

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from bnserve_inference.adjoint._layout import Buffer, Shared
-from bnserve_inference.adjoint._response import block_of
+from bnserve_inference.adjoint_kernel._layout import Buffer, Shared
+from bnserve_inference.adjoint_kernel._response import block_of
 from bnserve_inference.kernel._sums import Floats
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from bnserve_inference.adjoint._layout import BLOCK, Buffer, Geometry
+from bnserve_inference.adjoint_kernel._layout import BLOCK, Buffer, Geometry
 from bnserve_inference.kernel._layout import Sky
 from bnserve_inference.kernel._source import LIGHT_SPEED
 from bnserve_inference.kernel._sums import Floats

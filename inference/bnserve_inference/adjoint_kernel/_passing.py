@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from numba import njit
 
-from bnserve_inference.adjoint._layout import Argument
+from bnserve_inference.adjoint_kernel._layout import Argument
 from bnserve_inference.kernel._sums import Floats, Integers
 from bnserve_inference.modes_kernel._layout import Argument as Modes
 from bnserve_inference.moving_kernel._layout import Argument as Moving

@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from bnserve_inference.adjoint._layout import SUMS, TANGENTS, Argument, Buffer, Geometry, Shared, Sum
-from bnserve_inference.adjoint._response import block_of
-from bnserve_inference.adjoint._sums import across, dot, times
+from bnserve_inference.adjoint_kernel._layout import SUMS, TANGENTS, Argument, Buffer, Geometry, Shared, Sum
+from bnserve_inference.adjoint_kernel._response import block_of
+from bnserve_inference.adjoint_kernel._sums import across, dot, times
 from bnserve_inference.kernel._sums import Floats, Integers
 from bnserve_inference.modes_kernel._layout import Argument as Modes
 from bnserve_inference.moving_kernel._layout import Coefficient
