@@ -27,9 +27,12 @@ from bnserve_protocol import (
     ConnectionFailed,
     DeadlineExceeded,
     DetectorFrame,
+    DetectorNetwork,
     DigestUnknown,
     EvaluationOptions,
     Factored,
+    Forecast,
+    ForecastOptions,
     InvalidFrequencies,
     InvalidParameters,
     InvalidRequest,
@@ -37,6 +40,7 @@ from bnserve_protocol import (
     LikelihoodParameters,
     ModelDescription,
     ModelUnknown,
+    NetworkDetector,
     NotBnserve,
     OutOfBand,
     OutOfDomain,
@@ -46,6 +50,7 @@ from bnserve_protocol import (
     QuotaExceeded,
     RowStatus,
     RunManifest,
+    SignalToNoise,
     TooLarge,
     Unauthorized,
     Unavailable,
@@ -57,12 +62,12 @@ from bnserve_protocol import (
 
 __all__ = [
     "AmplitudePhase", "Analysis", "AnalysisInvalid", "AnalysisUnknown", "AsyncLikelihood", "AsyncModel", "BnserveError",
-    "ConnectionFailed", "DeadlineExceeded", "DetectorFrame", "DigestUnknown", "EvaluationOptions", "Factored",
-    "InvalidFrequencies", "InvalidParameters", "InvalidRequest", "Likelihood", "LikelihoodBatch",
-    "LikelihoodParameters", "Model", "ModelDescription", "ModelUnknown", "NotBnserve", "OutOfBand", "OutOfDomain",
-    "ParameterBatch", "ParametersWithExtrinsic", "Polarizations", "QuotaExceeded", "RowStatus", "RunManifest",
-    "Together", "TokenInClear", "TooLarge", "Unauthorized", "Unavailable", "UniformGrid", "UntrustedAnswer",
-    "__version__", "convert",
+    "ConnectionFailed", "DeadlineExceeded", "DetectorFrame", "DetectorNetwork", "DigestUnknown", "EvaluationOptions",
+    "Factored", "Forecast", "ForecastOptions", "InvalidFrequencies", "InvalidParameters", "InvalidRequest",
+    "Likelihood", "LikelihoodBatch", "LikelihoodParameters", "Model", "ModelDescription", "ModelUnknown",
+    "NetworkDetector", "NotBnserve", "OutOfBand", "OutOfDomain", "ParameterBatch", "ParametersWithExtrinsic",
+    "Polarizations", "QuotaExceeded", "RowStatus", "RunManifest", "SignalToNoise", "Together", "TokenInClear",
+    "TooLarge", "Unauthorized", "Unavailable", "UniformGrid", "UntrustedAnswer", "__version__", "convert",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

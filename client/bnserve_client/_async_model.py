@@ -16,19 +16,25 @@ from bnserve_client._transport_factory import AsyncTransportLike, TransportFacto
 from bnserve_client._trust import VerifyLike
 from bnserve_client._waveforms import ConnectedModel
 from bnserve_protocol import (
+    DEFAULT_FORECAST,
     DEFAULT_OPTIONS,
     AmplitudePhase,
     Analysis,
     BatchLike,
     Derivatives,
+    DescribesNetwork,
     EvaluationOptions,
     Factored,
+    Forecast,
+    ForecastOptions,
     GridLike,
     InvalidRows,
+    LikelihoodBatchLike,
     Modes,
     ParametersWithExtrinsic,
     Polarizations,
     RunManifest,
+    SignalToNoise,
     TimeSeries,
 )
 
@@ -157,6 +163,18 @@ class AsyncModel(ConnectedModel):
         """h_plus(t) and h_cross(t) on a time axis; see :meth:`.Model.predict_time_domain`."""
         how = {"sampling_rate": sampling_rate, "f_min": f_min, "duration": duration, "options": options}
         return await self._connections.run(self._remote.predict_time_domain(parameters, **how))
+
+    async def forecast(
+        self, network: DescribesNetwork, samples: LikelihoodBatchLike, options: ForecastOptions = DEFAULT_FORECAST
+    ) -> Forecast:
+        """What a network of detectors would measure of N binaries; see :meth:`.Model.forecast`."""
+        return await self._connections.run(self._remote.forecast(network, samples, options))
+
+    async def signal_to_noise(
+        self, network: DescribesNetwork, samples: LikelihoodBatchLike, options: ForecastOptions = DEFAULT_FORECAST
+    ) -> SignalToNoise:
+        """Optimal signal-to-noise ratios of N binaries; see :meth:`.Model.signal_to_noise`."""
+        return await self._connections.run(self._remote.signal_to_noise(network, samples, options))
 
     async def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> AsyncLikelihood:
         """The likelihood of an analysis; see :meth:`.Model.likelihood`."""

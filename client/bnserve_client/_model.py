@@ -16,19 +16,25 @@ from bnserve_client._transport_factory import TransportFactory, TransportLike
 from bnserve_client._trust import VerifyLike
 from bnserve_client._waveforms import ConnectedModel
 from bnserve_protocol import (
+    DEFAULT_FORECAST,
     DEFAULT_OPTIONS,
     AmplitudePhase,
     Analysis,
     BatchLike,
     Derivatives,
+    DescribesNetwork,
     EvaluationOptions,
     Factored,
+    Forecast,
+    ForecastOptions,
     GridLike,
     InvalidRows,
+    LikelihoodBatchLike,
     Modes,
     ParametersWithExtrinsic,
     Polarizations,
     RunManifest,
+    SignalToNoise,
     TimeSeries,
 )
 
@@ -249,6 +255,36 @@ class Model(ConnectedModel):
         """
         how = {"sampling_rate": sampling_rate, "f_min": f_min, "duration": duration, "options": options}
         return self._connections.run(self._remote.predict_time_domain(parameters, **how))
+
+    def forecast(
+        self, network: DescribesNetwork, samples: LikelihoodBatchLike, options: ForecastOptions = DEFAULT_FORECAST
+    ) -> Forecast:
+        """What a network of detectors would measure of N binaries: Fisher matrices made where the model is.
+
+        As ``bnserve_inference.fisher.forecast``, to the bit; the network is uploaded wherever it is not known.
+
+        Parameters
+        ----------
+        network
+            A :class:`bnserve_protocol.DetectorNetwork`, or a ``bnserve_inference.fisher.Network``.
+        samples
+            The binaries, as a likelihood takes them, with distance and ``coalescence_time``.
+
+        Raises
+        ------
+        AnalysisInvalid, InvalidRequest, InvalidParameters
+            A network, options or binaries that are none, or a model without derivatives.
+        TooLarge
+            More detectors or modes than the service takes.
+        """
+        return self._connections.run(self._remote.forecast(network, samples, options))
+
+    def signal_to_noise(
+        self, network: DescribesNetwork, samples: LikelihoodBatchLike, options: ForecastOptions = DEFAULT_FORECAST
+    ) -> SignalToNoise:
+        """Optimal signal-to-noise ratios of N binaries alone, many times as fast; arguments and errors as of
+        :meth:`forecast`."""
+        return self._connections.run(self._remote.signal_to_noise(network, samples, options))
 
     def likelihood(self, analysis: Analysis, *, invalid_rows: InvalidRows = "flag") -> Likelihood:
         """The likelihood of an analysis, evaluated where the model is: eight bytes per sample travel back.

@@ -10,6 +10,7 @@ from numpy.typing import DTypeLike, NDArray
 
 from bnserve_client._addresses import Address
 from bnserve_client._evaluation import Arrays, Evaluator, Question, Upload, check_model
+from bnserve_client._forecasts import forecasting, loudness
 from bnserve_client._grids import IN_FULL_ONCE, ExplicitGrid, GridMemory, ends_of
 from bnserve_client._kept_arrays import BY_MODES, check_arrays, kept
 from bnserve_client._messages import Conversation
@@ -22,12 +23,16 @@ from bnserve_protocol import (
     AmplitudePhase,
     BatchLike,
     Derivatives,
+    DescribesNetwork,
     DtypeName,
     EvaluationOptions,
     Factored,
     Forbidden,
+    Forecast,
+    ForecastOptions,
     GridLike,
     GridUnknown,
+    LikelihoodBatchLike,
     Limits,
     MergerTimes,
     Mode,
@@ -37,6 +42,7 @@ from bnserve_protocol import (
     ParameterBatch,
     ParametersWithExtrinsic,
     Polarizations,
+    SignalToNoise,
     TimeSeries,
     TooLarge,
     UniformGrid,
@@ -235,6 +241,18 @@ class RemoteModel:
                 answer = yield from self.predict_modes(asked.frequencies, asked.batch, asked.options, "complex128")
             else:
                 answer = yield from self.predict_amplitude_phase(asked.frequencies, asked.batch, asked.options)
+
+    def forecast(
+        self, network: DescribesNetwork, samples: LikelihoodBatchLike, options: ForecastOptions
+    ) -> Conversation[Forecast]:
+        """What a network would measure of N binaries."""
+        return forecasting(self.evaluator, self.pinned.description, network, samples, options)
+
+    def signal_to_noise(
+        self, network: DescribesNetwork, samples: LikelihoodBatchLike, options: ForecastOptions
+    ) -> Conversation[SignalToNoise]:
+        """Their signal-to-noise ratios alone."""
+        return loudness(self.evaluator, self.pinned.description, network, samples, options)
 
     def _question(
         self, frequencies: GridLike, batch: BatchLike, result: OutputName, options: EvaluationOptions, dtype: DTypeLike

@@ -57,6 +57,7 @@ from bnserve_protocol._errors import (
     InvalidRequest,
     ModelLoading,
     ModelUnknown,
+    NetworkUnknown,
     NotAcceptable,
     NotBnserve,
     NotFound,
@@ -74,6 +75,17 @@ from bnserve_protocol._errors import (
     UnsupportedMediaType,
     UntrustedAnswer,
     VersionExists,
+)
+from bnserve_protocol._forecasts import (
+    DEFAULT_FORECAST,
+    FORECAST_COORDINATES,
+    SKY_NAMES,
+    Forecast,
+    ForecastOptions,
+    SignalToNoise,
+    forecast_batch,
+    from_triangle,
+    triangle,
 )
 from bnserve_protocol._given import NotNumbers, as_numbers, as_real_number, as_real_numbers
 from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest, plain_grid
@@ -108,6 +120,15 @@ from bnserve_protocol._model import (
     check_model_digest,
 )
 from bnserve_protocol._modes import PHASE_AT_REFERENCE, Mode, turn_to_reference
+from bnserve_protocol._networks import (
+    MOST_DETECTORS,
+    DescribesNetwork,
+    DetectorNetwork,
+    NetworkDetector,
+    check_band,
+    decode_network,
+    forecast_work,
+)
 from bnserve_protocol._options import (
     DEFAULT_OPTIONS,
     DtypeName,
@@ -144,29 +165,32 @@ from bnserve_protocol._time_domain import predict_time_domain, time_domain_steps
 from bnserve_protocol._version import __version__
 
 __all__ = [
-    "COORDINATES", "DEFAULT_ERROR_BOUND", "DEFAULT_OPTIONS", "DERIVATIVE_NAMES", "DRAWN_NAMES", "ERRORS_BY_CODE",
-    "INTRINSIC_NAMES", "IN_PLANE_NAMES", "LIKELIHOOD_NAMES", "MEGAPARSEC_SECONDS", "PARAMETER_DEFAULTS",
-    "PARAMETER_NAMES", "PARAMETER_UNITS", "PHASE_AT_REFERENCE", "PRIOR_NAMES", "SOLAR_MASS_SECONDS", "AccessDenied",
-    "AmplitudePhase", "Analysis", "AnalysisInvalid", "AnalysisKind", "AnalysisSettings", "AnalysisUnknown",
-    "AnswerCorrupted", "ArtifactCorrupted", "ArtifactError", "ArtifactIncomplete", "BatchLike", "BnserveError",
-    "Calibration", "ComplexArray", "ConnectionFailed", "DeadlineExceeded", "Derivatives", "DetectorFrame",
-    "DetectorProducts", "DigestUnknown", "DistanceMarginalisation", "Draining", "DtypeName", "EvaluationOptions",
-    "Factored", "FieldError", "Forbidden", "GridLike", "GridUnknown", "InternalError", "InvalidFrequencies",
-    "InvalidParameters", "InvalidRequest", "InvalidRows", "Likelihood", "LikelihoodBatch", "LikelihoodBatchLike",
-    "LikelihoodCounts", "LikelihoodGradients", "LikelihoodParameters", "LikelihoodValues", "Limits", "ManifestModel",
-    "MarginalisedDraws", "MergerStencil", "MergerTimes", "Mode", "ModelDescription", "ModelIdentity", "ModelLoading",
-    "ModelUnknown", "Modes", "NotAcceptable", "NotBnserve", "NotFound", "NotNumbers", "OutOfBand", "OutOfDomain",
-    "Overloaded", "PackageMissing", "ParameterBatch", "ParameterDescription", "ParametersWithExtrinsic", "PathUnknown",
-    "Polarizations", "ProcessorDescription", "QuotaExceeded", "Response", "RowStatus", "RunManifest", "SchemaUnknown",
-    "Seed", "StoreUnknown", "TimeGrid", "TimeMarginalisation", "TimeSeries", "TooLarge", "Unauthorized", "Unavailable",
-    "UndecodableBody", "UniformGrid", "UnsupportedMediaType", "UntrustedAnswer", "VersionExists", "WaveformModel",
-    "__version__", "as_frequencies", "as_numbers", "as_real_number", "as_real_numbers", "check_arms", "check_dtype",
-    "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior",
-    "check_settings", "check_table", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis",
-    "encode_analysis", "gradient_names", "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples",
-    "nothing_integrated", "plain_grid", "plain_options", "predict_time_domain", "printable", "random_numbers",
-    "read_table", "refuse_rows", "require", "samples_of", "the_mode", "time_domain_steps", "time_steps",
-    "time_until_merger", "turn_to_reference",
+    "COORDINATES", "DEFAULT_ERROR_BOUND", "DEFAULT_FORECAST", "DEFAULT_OPTIONS", "DERIVATIVE_NAMES", "DRAWN_NAMES",
+    "ERRORS_BY_CODE", "FORECAST_COORDINATES", "INTRINSIC_NAMES", "IN_PLANE_NAMES", "LIKELIHOOD_NAMES",
+    "MEGAPARSEC_SECONDS", "MOST_DETECTORS", "PARAMETER_DEFAULTS", "PARAMETER_NAMES", "PARAMETER_UNITS",
+    "PHASE_AT_REFERENCE", "PRIOR_NAMES", "SKY_NAMES", "SOLAR_MASS_SECONDS", "AccessDenied", "AmplitudePhase",
+    "Analysis", "AnalysisInvalid", "AnalysisKind", "AnalysisSettings", "AnalysisUnknown", "AnswerCorrupted",
+    "ArtifactCorrupted", "ArtifactError", "ArtifactIncomplete", "BatchLike", "BnserveError", "Calibration",
+    "ComplexArray", "ConnectionFailed", "DeadlineExceeded", "Derivatives", "DescribesNetwork", "DetectorFrame",
+    "DetectorNetwork", "DetectorProducts", "DigestUnknown", "DistanceMarginalisation", "Draining", "DtypeName",
+    "EvaluationOptions", "Factored", "FieldError", "Forbidden", "Forecast", "ForecastOptions", "GridLike",
+    "GridUnknown", "InternalError", "InvalidFrequencies", "InvalidParameters", "InvalidRequest", "InvalidRows",
+    "Likelihood", "LikelihoodBatch", "LikelihoodBatchLike", "LikelihoodCounts", "LikelihoodGradients",
+    "LikelihoodParameters", "LikelihoodValues", "Limits", "ManifestModel", "MarginalisedDraws", "MergerStencil",
+    "MergerTimes", "Mode", "ModelDescription", "ModelIdentity", "ModelLoading", "ModelUnknown", "Modes",
+    "NetworkDetector", "NetworkUnknown", "NotAcceptable", "NotBnserve", "NotFound", "NotNumbers", "OutOfBand",
+    "OutOfDomain", "Overloaded", "PackageMissing", "ParameterBatch", "ParameterDescription", "ParametersWithExtrinsic",
+    "PathUnknown", "Polarizations", "ProcessorDescription", "QuotaExceeded", "Response", "RowStatus", "RunManifest",
+    "SchemaUnknown", "Seed", "SignalToNoise", "StoreUnknown", "TimeGrid", "TimeMarginalisation", "TimeSeries",
+    "TooLarge", "Unauthorized", "Unavailable", "UndecodableBody", "UniformGrid", "UnsupportedMediaType",
+    "UntrustedAnswer", "VersionExists", "WaveformModel", "__version__", "as_frequencies", "as_numbers",
+    "as_real_number", "as_real_numbers", "check_arms", "check_band", "check_dtype", "check_invalid_rows",
+    "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior", "check_settings",
+    "check_table", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis", "decode_network",
+    "encode_analysis", "forecast_batch", "forecast_work", "from_triangle", "gradient_names", "grid_digest",
+    "integrated_names", "likelihood_nodes", "likelihood_samples", "nothing_integrated", "plain_grid", "plain_options",
+    "predict_time_domain", "printable", "random_numbers", "read_table", "refuse_rows", "require", "samples_of",
+    "the_mode", "time_domain_steps", "time_steps", "time_until_merger", "triangle", "turn_to_reference",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

@@ -18,6 +18,7 @@
     │   │   └── DigestUnknown       the model is here, but not the artifact that a caller insists on
     │   ├── GridUnknown
     │   ├── AnalysisUnknown
+    │   ├── NetworkUnknown
     │   ├── PathUnknown
     │   └── StoreUnknown
     ├── ArtifactError
@@ -228,6 +229,13 @@ class AnalysisUnknown(NotFound):
 
     code = "analysis-unknown"
     title = "Analysis unknown"
+
+
+class NetworkUnknown(NotFound):
+    """No uploaded network has that digest; upload it again."""
+
+    code = "network-unknown"
+    title = "Network unknown"
 
 
 class PathUnknown(NotFound):

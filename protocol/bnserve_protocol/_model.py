@@ -167,7 +167,9 @@ class Limits(msgspec.Struct, frozen=True, kw_only=True):
     max_grids: int = 256
     """Uploaded grids that are kept; the least recently used one is dropped first."""
     max_analysis_bytes: int = 64 * 2**20
-    """Size of one uploaded analysis; :attr:`max_body_bytes` is for everything else."""
+    """Size of one uploaded analysis; :attr:`max_body_bytes` is for everything else but networks."""
+    max_network_bytes: int = 4 * 2**20
+    """Size of one uploaded network of detectors."""
 
     def rows_per_request(self, frequencies: int) -> int:
         """The largest batch on a grid of that many points that stays within every limit (at least one row)."""

@@ -20,6 +20,7 @@ from bnserve_service.admission.control import Lifecycle, Phase
 from bnserve_service.admission.queue import WorkQueue
 from bnserve_service.admission.token_book import TokenBook
 from bnserve_service.evaluation.endpoint import EvaluationEndpoint, FastPath
+from bnserve_service.evaluation.forecasts import Forecasts, build_network, make_forecast
 from bnserve_service.evaluation.likelihoods import Likelihoods, bind_likelihood
 from bnserve_service.evaluation.questions import Kind, Question
 from bnserve_service.evaluation.service import EvaluationService, Outcome
@@ -38,13 +39,13 @@ from bnserve_service.reference.explorer import explorer_router
 from bnserve_service.reference.openapi import openapi_document
 from bnserve_service.routes.models import model_router
 from bnserve_service.routes.operations import health_router, metrics_router, reload_router
-from bnserve_service.routes.uploads import Receiver, analysis_router, grid_router
+from bnserve_service.routes.uploads import Receiver, analysis_router, grid_router, network_router
 from bnserve_service.settings import Settings
 from bnserve_service.shared.metrics import SharedMetrics
 from bnserve_service.telemetry.metrics import Metrics
 from bnserve_service.uploads.blobs import gone
 from bnserve_service.uploads.storage_quotas import StorageQuotas
-from bnserve_service.uploads.stores import AnalysisStore, GridStore, LikelihoodFactory
+from bnserve_service.uploads.stores import AnalysisStore, GridStore, LikelihoodFactory, NetworkStore
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +56,7 @@ class Parts:
     registry: Registry
     grids: GridStore
     analyses: AnalysisStore
+    networks: NetworkStore
     queue: WorkQueue[Question, Outcome]
     kinds: tuple[Kind[Any], ...]
     evaluation: EvaluationService
@@ -125,12 +127,15 @@ class Application(FastAPI):
         """
         parts, limits = self.parts, self.parts.settings.limits()
         most = parts.tokens.stored_bytes if parts.tokens is not None else _no_limit
-        quotas = StorageQuotas(most, {"grid": parts.grids, "analysis": parts.analyses}, parts.shared)
+        quotas = StorageQuotas(
+            most, {"grid": parts.grids, "analysis": parts.analyses, "network": parts.networks}, parts.shared
+        )
         receiver = Receiver(parts.bodies, quotas)
         routers = [
             model_router(parts.registry, limits),
             grid_router(parts.grids, receiver, parts.settings),
             analysis_router(parts.analyses, receiver, parts.settings, parts.lifecycle),
+            network_router(parts.networks, receiver, parts.settings, parts.lifecycle),
             health_router(parts.health),
         ]
         if not parts.settings.reload_is_apart:
@@ -238,6 +243,7 @@ def create_app(
     lifecycle, limits = Lifecycle(), settings.limits()
     bodies = BodyReader(settings.incoming_bytes, settings.body_timeout)
     grids, analyses = GridStore(settings, shared), AnalysisStore(settings, decode_analysis, shared)
+    networks = NetworkStore(settings, build_network, shared)
     evaluation = EvaluationService(settings, registry, lifecycle, bodies, metrics)
     longest, missing = evaluation.queue.workers.longest_evaluation, partial(_missing, settings, shared)
     health = Health(settings, registry, lifecycle, longest, missing)
@@ -249,8 +255,13 @@ def create_app(
         registry=registry,
         grids=grids,
         analyses=analyses,
+        networks=networks,
         queue=evaluation.queue,
-        kinds=(Waveforms(grids, limits, metrics), Likelihoods(analyses, limits, metrics, bind or bind_likelihood)),
+        kinds=(
+            Waveforms(grids, limits, metrics),
+            Likelihoods(analyses, limits, metrics, bind or bind_likelihood),
+            Forecasts(networks, limits, metrics, make_forecast),
+        ),
         evaluation=evaluation,
         lifecycle=lifecycle,
         health=health,
@@ -296,6 +307,10 @@ def _watch(parts: Parts) -> None:
     metrics.watch("bnserve_analyses", "Uploaded analyses", lambda: len(analyses), is_common=True)
     metrics.watch(
         "bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes, is_common=True
+    )
+    metrics.watch("bnserve_networks", "Uploaded networks", lambda: len(parts.networks), is_common=True)
+    metrics.watch(
+        "bnserve_networks_bytes", "Memory of uploaded networks", lambda: parts.networks.stored_bytes, is_common=True
     )
     metrics.watch("bnserve_uploads_bytes", "Memory of large bodies on their way", lambda: parts.bodies.held_bytes)
     metrics.watch_each(

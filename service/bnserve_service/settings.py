@@ -129,6 +129,12 @@ class Settings(BaseModel):
     """Memory of the analyses of one owner: half of that of all, so that nobody takes it whole."""
     max_analyses_bytes: int = Field(default=1024 * 2**20, ge=1024)
     """Memory of the analyses of all owners together."""
+    max_network_bytes: int = Field(default=4 * 2**20, ge=1024)
+    """One uploaded network of detectors: four with curves of 10,000 rows take 640 KB."""
+    max_networks: int = Field(default=256, ge=1)
+    """Uploaded networks that are kept for one owner."""
+    max_networks_bytes: int = Field(default=64 * 2**20, ge=2048)
+    """Memory of the networks of all owners together, of which one may have half."""
 
     queue_samples: int = Field(default=2**26, ge=1)
     """Work that may wait or run, in samples: about a third of a second for one worker."""
@@ -206,8 +212,16 @@ class Settings(BaseModel):
         return self
 
     @model_validator(mode="after")
+    def _one_network_fits(self) -> Settings:
+        if 2 * self.max_network_bytes > self.max_networks_bytes:
+            raise ValueError(
+                "max_network_bytes must not be above half of max_networks_bytes, which is what one owner may keep"
+            )
+        return self
+
+    @model_validator(mode="after")
     def _largest_body_fits(self) -> Settings:
-        largest = max(self.max_body_bytes, self.max_analysis_bytes)
+        largest = max(self.max_body_bytes, self.max_analysis_bytes, self.max_network_bytes)
         if self.max_incoming_bytes is not None and self.max_incoming_bytes < largest:
             raise ValueError(f"max_incoming_bytes must be at least {largest}, or the largest allowed body never fits")
         return self
@@ -246,7 +260,7 @@ class Settings(BaseModel):
     @property
     def incoming_bytes(self) -> int:
         """``max_incoming_bytes``, or what stands for None."""
-        return self.max_incoming_bytes or 4 * max(self.max_body_bytes, self.max_analysis_bytes)
+        return self.max_incoming_bytes or 4 * max(self.max_body_bytes, self.max_analysis_bytes, self.max_network_bytes)
 
     def body_limit(self, media_type: str) -> int:
         """The largest body of a request for an evaluation."""

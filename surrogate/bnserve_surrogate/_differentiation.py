@@ -35,7 +35,7 @@ def mode_derivatives(
     modes = options.modes or evaluator.modes
     answer, found = evaluator.differentiated(frequencies, coerced, options)
     rows = len(coerced)
-    h = answer.first.reshape(rows, len(modes), -1)
+    h = answer.first.reshape(rows, len(modes), found.shape[-1])
     if options.reference_frequency is not None:
         there = np.array([options.reference_frequency])
         own = EvaluationOptions(modes=((2, 2),), alignment=options.alignment, out_of_domain="flag")

@@ -214,8 +214,10 @@ class Evaluator:
         if options.reference_frequency is not None:
             batch = self._referenced(batch, options)
         grid = self._grids.prepare(frequencies)
-        h, alignment = answer.first.reshape(len(batch), -1, len(grid.frequencies)), _ALIGNMENTS[options.alignment]
-        return answer, differentiate(self._mode, grid, batch.values, alignment, answer.status, h, self._plan(options))
+        plan, alignment = self._plan(options), _ALIGNMENTS[options.alignment]
+        modes = 1 if plan is None else len(plan.modes)
+        h = answer.first.reshape(len(batch), modes, len(grid.frequencies))
+        return answer, differentiate(self._mode, grid, batch.values, alignment, answer.status, h, plan)
 
     def _plan(self, options: EvaluationOptions) -> ModePlan | None:
         """How the modes of some options are evaluated; None for the (2, 2) alone."""

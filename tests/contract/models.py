@@ -14,6 +14,8 @@ METHODS = (
     "predict_amplitude_phase",
     "time_until_merger",
     "predict_time_domain",
+    "forecast",
+    "signal_to_noise",
 )
 
 

@@ -67,6 +67,13 @@ def test_flagged_rows(model, local):
     assert bits(ours) == bits(local.predict_derivatives(GRIDS["explicit"], batch, options=FLAG))
 
 
+@pytest.mark.parametrize("modes", [None, [(2, 2)]], ids=str)
+def test_nobodys_are_none(of_several, modes):
+    options = EvaluationOptions(modes=modes, reference_frequency=50.0)
+    found = of_several.predict_derivatives(GRIDS["explicit"], binaries(2).rows(slice(0, 0)), options=options)
+    assert found.derivatives.shape == (0, 1 if modes else 7, 6, 77)
+
+
 def test_errors_are_the_same(model, local):
     batch = with_values(3, mass_ratio=99.0)
     call = lambda it: it.predict_derivatives(GRIDS["explicit"], batch)  # noqa: E731

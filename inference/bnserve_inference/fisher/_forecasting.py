@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import Protocol
 
 import numpy as np
@@ -11,35 +9,33 @@ from numpy.typing import NDArray
 
 from bnserve_inference._modes import QUADRUPOLE, chosen_modes, orders
 from bnserve_inference.fisher._factorisation import Factorisation
-from bnserve_inference.fisher._matrix import LARGEST_CONDITION, Forecast, condition
+from bnserve_inference.fisher._matrix import LARGEST_CONDITION, condition
 from bnserve_inference.fisher._network import Network
 from bnserve_inference.fisher._nodes import nodes_of
 from bnserve_protocol import (
+    DEFAULT_FORECAST,
     DERIVATIVE_NAMES,
     PARAMETER_NAMES,
+    SKY_NAMES,
     BatchLike,
     Derivatives,
     EvaluationOptions,
     FieldError,
+    Forecast,
+    ForecastOptions,
     GridLike,
     InvalidRequest,
     LikelihoodBatch,
     LikelihoodBatchLike,
-    Mode,
     ModelDescription,
     RowStatus,
     coordinate_jacobian,
+    forecast_batch,
 )
 
 Floats = NDArray[np.float64]
 
-COORDINATES = (
-    "log_chirp_mass", "log_mass_ratio", "lambda_tilde", "delta_lambda_tilde", "chi_1", "chi_2", "log_distance",
-    "inclination", "reference_phase", "coalescence_time",
-)  # fmt: skip
-"""Of a binary, to which those of its place in the sky come."""
-SKY = ("right_ascension", "declination", "polarization_angle")
-NAMES = (*(name if name != "time_shift" else "coalescence_time" for name in PARAMETER_NAMES), *SKY)
+NAMES = (*(name if name != "time_shift" else "coalescence_time" for name in PARAMETER_NAMES), *SKY_NAMES)
 """Of a signal, in the order of its derivatives: 13."""
 _NUMBERS = 2**18
 """Complex numbers of derivatives at once: 4 MiB, which stay near the processor."""
@@ -60,38 +56,11 @@ class Differentiable(Protocol):
         """Modes and their derivatives."""
 
 
-@dataclass(frozen=True)
-class ForecastOptions:
-    """How forecasts are made.
-
-    Parameters
-    ----------
-    coordinates
-        Ten names of ``bnserve_protocol.COORDINATES``, with ``coalescence_time`` in place of ``time_shift``, to which
-        ``right_ascension``, ``declination`` and ``polarization_angle`` come.
-    priors
-        Widths of Gaussian priors by coordinate, in its unit.
-    modes
-        Of the signals; None for all that the model has.
-    alignment
-        What the coalescence time is that of, as in ``EvaluationOptions``.
-    reference_frequency
-        Hz, at which the phase of the (2, 2) is held while other coordinates change: one in the middle of the band,
-        or masses and ``reference_phase`` are so alike that rounding shows. Other errors do not depend on it.
-    """
-
-    coordinates: Sequence[str] = COORDINATES
-    priors: Mapping[str, float] | None = None
-    modes: Sequence[Mode] | None = None
-    alignment: str = "merger"
-    reference_frequency: float = 50.0
-
-
 def forecast(
     model: Differentiable,
     network: Network,
     samples: LikelihoodBatchLike,
-    options: ForecastOptions = ForecastOptions(),
+    options: ForecastOptions = DEFAULT_FORECAST,
 ) -> Forecast:
     """Fisher matrices and signal-to-noise ratios of N binaries in a network.
 
@@ -109,8 +78,11 @@ def forecast(
     InvalidParameters
         Samples that are none.
     """
-    batch = LikelihoodBatch.coerce(samples)
-    names, widths = (*options.coordinates, *SKY), dict(options.priors or {})
+    if (own := getattr(model, "forecast", None)) is not None:  # a remote one, which makes them where it is
+        remote: Forecast = own(network, samples, options)
+        return remote
+    batch = forecast_batch(samples)
+    names, widths = options.names, dict(options.priors or {})
     for name, width in widths.items():
         if name not in names or not 0.0 < width < np.inf:
             raise InvalidRequest(

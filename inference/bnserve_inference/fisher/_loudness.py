@@ -2,44 +2,32 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._modes import QUADRUPOLE, chosen_modes, options_for, orders
 from bnserve_inference.fisher._factorisation import Factorisation
-from bnserve_inference.fisher._forecasting import ForecastOptions
 from bnserve_inference.fisher._network import Network
 from bnserve_inference.fisher._nodes import WIDE, Nodes, nodes_of
-from bnserve_protocol import LikelihoodBatch, LikelihoodBatchLike, Mode, ParameterBatch, WaveformModel
+from bnserve_protocol import (
+    DEFAULT_FORECAST,
+    ForecastOptions,
+    LikelihoodBatchLike,
+    Mode,
+    ParameterBatch,
+    SignalToNoise,
+    WaveformModel,
+    forecast_batch,
+)
 
 Floats = NDArray[np.float64]
 
-_DEFAULTS = ForecastOptions()
 _NUMBERS = 2**18
 """Complex numbers of modes at once: 4 MiB, which stay near the processor."""
 
 
-@dataclass(frozen=True, eq=False)
-class SignalToNoise:
-    """Optimal signal-to-noise ratios of N binaries in a network of D detectors.
-
-    Attributes
-    ----------
-    snr, detector_snr
-        ``(N,)`` of the network and ``(N, D)``.
-    status
-        uint8 ``(N,)``, a RowStatus each; rows that are not OK are NaN.
-    """
-
-    snr: Floats
-    detector_snr: Floats
-    status: NDArray[np.uint8]
-
-
 def signal_to_noise(
-    model: WaveformModel, network: Network, samples: LikelihoodBatchLike, options: ForecastOptions = _DEFAULTS
+    model: WaveformModel, network: Network, samples: LikelihoodBatchLike, options: ForecastOptions = DEFAULT_FORECAST
 ) -> SignalToNoise:
     """Optimal signal-to-noise ratios, as of :func:`.forecast`, without its derivatives: many times as fast.
 
@@ -59,7 +47,10 @@ def signal_to_noise(
     InvalidParameters
         Samples that are none.
     """
-    batch = LikelihoodBatch.coerce(samples)
+    if (own := getattr(model, "signal_to_noise", None)) is not None:  # as of forecasts
+        remote: SignalToNoise = own(network, samples, options)
+        return remote
+    batch = forecast_batch(samples)
     modes = chosen_modes(options.modes, model.description)
     nodes = nodes_of(network, orders(modes), WIDE)
     factorisation = Factorisation(network, nodes, modes)

@@ -12,9 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bnserve_inference._detectors import Detector
+from bnserve_inference._earth import sidereal_time
 from bnserve_inference._noise import LEAST_ASD
 from bnserve_inference._units import ASD_UNIT, in_units
-from bnserve_protocol import AnalysisInvalid, FieldError
+from bnserve_protocol import AnalysisInvalid, DetectorNetwork, FieldError, NetworkDetector, check_band
 
 Floats = NDArray[np.float64]
 
@@ -134,17 +135,40 @@ class Network:
     def __post_init__(self) -> None:
         found = tuple(Detector.named(it) if isinstance(it, str) else it for it in self.detectors)
         object.__setattr__(self, "detectors", found)
+        sidereal_time(self.trigger_time)  # refuses what is no time
         if not found or len(found) != len(self.noise):
             raise AnalysisInvalid(
                 f"A network has a noise curve for each of its detectors; got {len(found)} and {len(self.noise)}."
             )
-        if not 0.0 < self.f_min < self.f_max < np.inf:
-            raise AnalysisInvalid(
-                f"The band of a network is 0 < f_min < f_max; got {self.f_min!r} and {self.f_max!r} Hz.",
-                errors=[FieldError(reason="no band", parameter="f_min", value=self.f_min)],
-            )
+        check_band(self.f_min, self.f_max)
         if not any(curve.frequencies[0] < self.f_max and curve.frequencies[-1] > self.f_min for curve in self.noise):
             raise AnalysisInvalid("None of the noise curves has data in the band of the network.")
+
+    @classmethod
+    def of(cls, description: DetectorNetwork) -> Network:
+        """What a description says, with the detectors and curves that are known here by the names in it.
+
+        Raises
+        ------
+        AnalysisInvalid
+            As the network itself, its detectors and its curves.
+        """
+        detectors = [_detector(it) for it in description.detectors]
+        noise = [
+            NoiseCurve.named(it.noise) if isinstance(it.noise, str) else NoiseCurve.of(*it.noise)
+            for it in description.detectors
+        ]
+        band = description.f_min, description.f_max
+        return cls(detectors, noise, *band, description.trigger_time, description.moving)
+
+    @cached_property
+    def description(self) -> DetectorNetwork:
+        """What a service is told of it."""
+        detectors = [
+            NetworkDetector(site.name, (curve.frequencies, curve.asd), site.response, site.location, site.arms)
+            for site, curve in zip(self.sites, self.noise, strict=True)
+        ]
+        return DetectorNetwork(detectors, self.f_min, self.f_max, self.trigger_time, self.moving)
 
     @property
     def sites(self) -> tuple[Detector, ...]:
@@ -163,3 +187,14 @@ class Network:
     def detectors_with(self, curve: NoiseCurve) -> list[int]:
         """Which of the detectors have this noise."""
         return [place for place, own in enumerate(self.noise) if own.same_as(curve)]
+
+
+def _detector(given: NetworkDetector) -> Detector:
+    if given.response is None and given.location is None:
+        return Detector.named(given.name)
+    if given.response is None or given.location is None:
+        raise AnalysisInvalid(
+            f"The detector {given.name} has a response and a location, or neither and a name that is known.",
+            errors=[FieldError(reason="response and location", parameter="detectors", value=given.name)],
+        )
+    return Detector(given.name, given.response, given.location, given.arms)

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from bnserve_inference.fisher._gauss import POINTS, gauss
 from bnserve_inference.fisher._network import Network
+from bnserve_protocol import AnalysisInvalid, FieldError
 
 Floats = NDArray[np.float64]
 
@@ -33,6 +34,10 @@ _EARTH_RATE = 7.292e-5
 """Radians a second."""
 _GRID = 4097
 """Frequencies at which the density of panels is evaluated."""
+
+
+_MOST_PANELS = 4096
+"""Of one noise curve: from 0.2 Hz on there are some 2,000."""
 
 
 class Nodes(NamedTuple):
@@ -90,6 +95,12 @@ def _edges(low: float, high: float, turning: Callable[[Floats], Floats], width: 
     grid = np.geomspace(low, high, _GRID)
     density = np.maximum(turning(grid) / _RADIANS, 1.0 / (width * grid))
     passed = np.concatenate([[0.0], np.cumsum(0.5 * np.diff(grid) * (density[1:] + density[:-1]))])
+    if not passed[-1] <= _MOST_PANELS:
+        raise AnalysisInvalid(
+            f"From {low:g} Hz on a signal lasts so long that its integrals would need more than {8 * _MOST_PANELS} "
+            "nodes: begin the band of the network at a higher f_min.",
+            errors=[FieldError(reason="too low", parameter="f_min", value=low)],
+        )
     edges = np.interp(np.linspace(0.0, passed[-1], int(np.ceil(passed[-1])) + 1), passed, grid)
     edges[0], edges[-1] = low, high
     return np.asarray(edges)

@@ -16,9 +16,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._workers import ModelSource, Progress, Workers
-from bnserve_inference.fisher._forecasting import ForecastOptions, forecast
+from bnserve_inference.fisher._forecasting import forecast
 from bnserve_inference.fisher._network import Network
-from bnserve_protocol import AnalysisInvalid, LikelihoodBatch, WaveformModel
+from bnserve_protocol import AnalysisInvalid, ForecastOptions, LikelihoodBatch, WaveformModel
 
 Floats = NDArray[np.float64]
 

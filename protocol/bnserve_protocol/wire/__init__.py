@@ -9,6 +9,9 @@ from bnserve_protocol.wire._arrays import (
     result_memory,
 )
 from bnserve_protocol.wire._bodies import (
+    ForecastAnswerBody,
+    ForecastBody,
+    ForecastOutput,
     LikelihoodAnswerBody,
     LikelihoodBody,
     LikelihoodOutput,
@@ -27,6 +30,17 @@ from bnserve_protocol.wire._envelope import (
     refuse_repeated_keys,
     request_digest,
     unique_keys,
+)
+from bnserve_protocol.wire._forecasts import (
+    ForecastAnswer,
+    ForecastRequest,
+    decode_forecast_answer,
+    decode_forecast_request,
+    encode_forecast_answer,
+    encode_forecast_answer_json,
+    encode_forecast_request,
+    forecast_arrays,
+    forecast_of,
 )
 from bnserve_protocol.wire._likelihoods import (
     LikelihoodAnswer,
@@ -48,12 +62,14 @@ from bnserve_protocol.wire._waveform_answers import (
 from bnserve_protocol.wire._waveforms import Grid, GridDigest, WaveformRequest, decode_request, encode_request
 
 __all__ = [
-    "JSON", "MSGPACK", "MSGPACK_BYTES", "PROBLEM_JSON", "WANTED_DIGEST", "DigestName", "Grid", "GridDigest",
-    "LikelihoodAnswer", "LikelihoodAnswerBody", "LikelihoodBody", "LikelihoodOutput", "LikelihoodRequest", "OutputName",
-    "Problem", "ResultMemory", "WaveformAnswer", "WaveformBody", "WaveformRequest", "address_of", "array_keys",
-    "content_digest", "decode_answer", "decode_array", "decode_likelihood_answer", "decode_likelihood_request",
-    "decode_request", "derivative_names",
-    "encode_answer", "encode_answer_json", "encode_array", "encode_likelihood_answer", "encode_likelihood_answer_json",
-    "encode_likelihood_request", "encode_request", "mode_names", "refuse_repeated_keys", "request_digest",
-    "result_memory", "unique_keys",
+    "JSON", "MSGPACK", "MSGPACK_BYTES", "PROBLEM_JSON", "WANTED_DIGEST", "DigestName", "ForecastAnswer",
+    "ForecastAnswerBody", "ForecastBody", "ForecastOutput", "ForecastRequest", "Grid", "GridDigest", "LikelihoodAnswer",
+    "LikelihoodAnswerBody", "LikelihoodBody", "LikelihoodOutput", "LikelihoodRequest", "OutputName", "Problem",
+    "ResultMemory", "WaveformAnswer", "WaveformBody", "WaveformRequest", "address_of", "array_keys", "content_digest",
+    "decode_answer", "decode_array", "decode_forecast_answer", "decode_forecast_request", "decode_likelihood_answer",
+    "decode_likelihood_request", "decode_request", "derivative_names", "encode_answer", "encode_answer_json",
+    "encode_array", "encode_forecast_answer", "encode_forecast_answer_json", "encode_forecast_request",
+    "encode_likelihood_answer", "encode_likelihood_answer_json", "encode_likelihood_request", "encode_request",
+    "forecast_arrays", "forecast_of", "mode_names", "refuse_repeated_keys", "request_digest", "result_memory",
+    "unique_keys",
 ]  # fmt: skip  # each has a line of its own above

@@ -12,6 +12,7 @@ from bnserve_protocol._options import DtypeName
 
 OutputName: TypeAlias = Literal["polarizations", "factored", "amplitude_phase", "modes", "derivatives"]
 LikelihoodOutput: TypeAlias = Literal["log_likelihood", "products", "draws", "gradients"]
+ForecastOutput: TypeAlias = Literal["root", "errors", "covariance", "snr"]
 MOST_NAMES = 64
 """Parameters, or detectors: more than a request has, so that the answer can still say which of them is unknown; still
 more are a mistake or an attack, and would take a hundred times the memory of the body."""
@@ -125,3 +126,78 @@ class LikelihoodAnswerBody(msgspec.Struct, kw_only=True):
     distance_mpc: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
     gradient: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
     gradient_names: tuple[str, ...] = ()
+
+
+class ForecastBody(msgspec.Struct, forbid_unknown_fields=True, omit_defaults=True, kw_only=True):
+    """Binaries to forecast in an uploaded network, as they travel; the options are those of ``ForecastOptions``.
+
+    Parameters
+    ----------
+    parameters
+        A map of named numbers or vectors, or with 'names' one [N, P] array.
+    names
+        Of the columns of 'parameters', where it is an array.
+    network
+        Repeats the digest of the path, as 'sha256:...'.
+    coordinates
+        Ten, to which right_ascension, declination and polarization_angle come; those of our client where left out.
+    priors
+        Widths of Gaussian priors by coordinate.
+    reference_frequency
+        Hz, at which the phase of the (2, 2) is held while other coordinates change.
+    output
+        'root', from which everything follows; 'errors', with the area of the sky; 'covariance', with both; or 'snr',
+        the signal-to-noise ratios alone, many times as fast.
+    """
+
+    parameters: msgspec.Raw
+    names: Annotated[list[str], msgspec.Meta(max_length=MOST_NAMES)] | None = None
+    network: str | None = None
+    coordinates: Annotated[list[str], msgspec.Meta(max_length=MOST_NAMES)] | None = None
+    priors: Annotated[dict[str, float], msgspec.Meta(max_length=MOST_NAMES)] = {}
+    modes: Annotated[list[Mode], msgspec.Meta(max_length=MOST_MODES)] | None = None
+    alignment: Literal["post_newtonian", "merger"] = "merger"
+    reference_frequency: float = 50.0
+    output: ForecastOutput = "root"
+
+
+class ForecastAnswerBody(msgspec.Struct, kw_only=True):
+    """Forecasts of a batch, as they travel; numbers are NaN, in JSON null, wherever 'status' is not 0.
+
+    Parameters
+    ----------
+    names
+        Of the P = 13 coordinates.
+    snr, detector_snr
+        [N] and [N, D]: optimal signal-to-noise ratios, of the network and in each detector.
+    status
+        [N]: 0 fine, 1 not finite, 2 out of domain, 3 out of band.
+    condition
+        [N]: of the Fisher matrix with a unit diagonal; infinite, in JSON null, where it is not measured at all.
+    singular
+        [N]: 1 where the condition is beyond 1e14; errors are NaN then.
+    beyond
+        [N, P]: 1 where a standard deviation leaves the model's range.
+    root
+        [N, 91], with 'root': the upper triangle, row by row, of R; the Fisher matrix is R^T R.
+    errors
+        [N, P], with 'errors' and 'covariance': the standard deviation of each coordinate, the others unknown.
+    sky_area
+        [N], with these: square degrees that hold the source with a probability of 90 %.
+    covariance
+        [N, 91], with 'covariance': its upper triangle, row by row.
+    """
+
+    model: ModelIdentity
+    network: str
+    names: Annotated[list[str], msgspec.Meta(max_length=MOST_NAMES)]
+    snr: msgspec.Raw
+    detector_snr: msgspec.Raw
+    status: msgspec.Raw
+    condition: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    singular: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    beyond: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    root: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    errors: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    sky_area: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET
+    covariance: msgspec.Raw | msgspec.UnsetType = msgspec.UNSET

@@ -65,6 +65,7 @@ class _Reader:
     """The decoders of one media type."""
 
     def __init__(self, module: ModuleType, arrays: bool) -> None:
+        self.module = module
         self.request = module.Decoder(LikelihoodBody)
         self.columns = module.Decoder(NamedArrays)
         self.numbers = module.Decoder(float | list[float | list[float]])
@@ -82,7 +83,7 @@ class _Reader:
             raise UndecodableBody("Parameters are numbers, vectors, or rows of equal length.") from error
 
 
-_READERS = {MSGPACK: _Reader(msgspec.msgpack, arrays=True), JSON: _Reader(msgspec.json, arrays=False)}
+READERS = {MSGPACK: _Reader(msgspec.msgpack, arrays=True), JSON: _Reader(msgspec.json, arrays=False)}
 _answer_decoder = msgspec.msgpack.Decoder(LikelihoodAnswerBody)
 
 
@@ -146,7 +147,7 @@ def decode_likelihood_request(
     TooLarge
         More rows than ``max_rows``, or too many numbers in lists.
     """
-    reader = _READERS[media_type]
+    reader = READERS[media_type]
     try:
         wire: LikelihoodBody = reader.request.decode(body)
         batch = _batch(reader, wire, max_rows)
@@ -171,23 +172,36 @@ def _uniforms(reader: _Reader, wire: LikelihoodBody, rows: int) -> NDArray[np.fl
 
 
 def _batch(reader: _Reader, wire: LikelihoodBody, max_rows: int) -> LikelihoodBatch:
+    calibration = wire.calibration_amplitude, wire.calibration_phase
+    return read_samples(reader, wire.parameters, wire.names, max_rows, *calibration)
+
+
+def read_samples(
+    reader: _Reader,
+    parameters: msgspec.Raw,
+    names: list[str] | None,
+    max_rows: int,
+    calibration_amplitude: NamedArrays,
+    calibration_phase: NamedArrays,
+) -> LikelihoodBatch:
+    """Samples in any form in which they travel; raises as :func:`decode_likelihood_request`."""
     columns: dict[str, NDArray[np.float64]] = {}
     rows = None
-    if wire.names is None:
-        columns = {name: reader.values(raw) for name, raw in reader.columns.decode(wire.parameters).items()}
+    if names is None:
+        columns = {name: reader.values(raw) for name, raw in reader.columns.decode(parameters).items()}
     else:
-        rows = _rows(reader, wire.parameters, wire.names)
-        columns = {name: rows[:, column] for column, name in enumerate(wire.names)}
+        rows = _rows(reader, parameters, names)
+        columns = {name: rows[:, column] for column, name in enumerate(names)}
     most = max((len(column) for column in columns.values() if column.ndim), default=1)
     if most > max_rows:
         raise TooLarge(f"A batch has at most {max_rows} rows here; this one has {most}: split it.")
     amplitude, phase = (
         {detector: reader.values(raw) for detector, raw in arrays.items()}
-        for arrays in (wire.calibration_amplitude, wire.calibration_phase)
+        for arrays in (calibration_amplitude, calibration_phase)
     )
     if any(array.ndim != 2 for array in (*amplitude.values(), *phase.values())):
         raise InvalidParameters("Calibration errors travel as one array [N, nodes] for each detector.")
-    if rows is not None and wire.names == _ALL_NAMES:  # what our client sends
+    if rows is not None and names == _ALL_NAMES:  # what our client sends
         return LikelihoodBatch(rows.copy(), amplitude, phase)  # a copy, because the body it views is read-only
     return LikelihoodBatch.coerce({**columns, "calibration_amplitude": amplitude, "calibration_phase": phase})
 

@@ -28,7 +28,7 @@ _CLOCK_SLACK = 86_400.0
 
 def shared_folder(settings: Settings) -> Findings:
     """Workers share uploads in memory, where it can be written and has room."""
-    needed = settings.max_grid_bytes + settings.max_analyses_bytes
+    needed = settings.max_grid_bytes + settings.max_analyses_bytes + settings.max_networks_bytes
     usable = []
     for place in usual_places():
         reason = _why_not_writable(place)
@@ -77,7 +77,7 @@ def open_files() -> Findings:
 def memory(settings: Settings) -> Findings:
     """The bounds in the settings against what the control group or the machine has."""
     available = memory_limit()
-    bound = PROCESS_BYTES + settings.max_grid_bytes + settings.max_analyses_bytes
+    bound = PROCESS_BYTES + settings.max_grid_bytes + settings.max_analyses_bytes + settings.max_networks_bytes
     bound += settings.workers * (WORKER_BYTES + settings.max_answer_bytes + settings.incoming_bytes)
     says = f"{_mib(available)} are there, and the limits in the settings add up to {_mib(bound)}"
     if available < LEAST_BYTES:

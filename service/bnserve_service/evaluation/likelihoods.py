@@ -55,20 +55,13 @@ class LikelihoodQuestion(Question, frozen=True, eq=False, kw_only=True):
 
     def pieces(self, most: int, piece_cost: int) -> list[LikelihoodQuestion]:
         """The rows in at most ``most`` consecutive parts, each worth the hand-over to a worker."""
-        count = max(1, min(most, self.cost // piece_cost))
-        rows = max(1, -(-len(self.batch) // count))
-        if rows >= len(self.batch):
-            return [self]
-        row_cost = (self.cost - REQUEST_COST) // len(self.batch)
+        parts = self.divided(most, piece_cost)
+        if self.uniforms is None or len(parts) == 1:
+            return parts
+        rows = len(parts[0].batch)
         return [
-            msgspec.structs.replace(
-                self,
-                batch=part,
-                uniforms=None if self.uniforms is None else self.uniforms[place * rows : (place + 1) * rows],
-                cost=len(part) * row_cost + REQUEST_COST,
-                is_part=True,
-            )
-            for place, part in enumerate(self.batch.split(rows))
+            msgspec.structs.replace(part, uniforms=self.uniforms[place * rows : (place + 1) * rows])
+            for place, part in enumerate(parts)
         ]
 
 

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from bnserve_protocol.wire import DigestName
 from bnserve_service.http.requests import RequestContext
 from bnserve_service.models.registry import LoadedModel
+from bnserve_service.settings import REQUEST_COST
 
 Arrays: TypeAlias = dict[str, NDArray[Any]]
 """By name; each has a row for each row that was asked for."""
@@ -48,6 +49,18 @@ class Question(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     def pieces(self, most: int, piece_cost: int) -> list[Self]:
         """The rows in at most ``most`` consecutive parts, each worth the hand-over to a worker."""
         return [self]
+
+    def divided(self, most: int, piece_cost: int) -> list[Self]:
+        """:meth:`pieces` of what may be divided by the rows of its batch."""
+        count = max(1, min(most, self.cost // piece_cost))
+        rows = max(1, -(-len(self.batch) // count))
+        if rows >= len(self.batch):
+            return [self]
+        row_cost = (self.cost - REQUEST_COST) // len(self.batch)
+        return [
+            msgspec.structs.replace(self, batch=part, cost=len(part) * row_cost + REQUEST_COST, is_part=True)
+            for part in self.batch.split(rows)
+        ]
 
 
 Q = TypeVar("Q", bound=Question)

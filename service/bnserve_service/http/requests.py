@@ -204,8 +204,8 @@ def refuse_encoded(headers: Mapping[bytes, bytes]) -> None:
         raise UnsupportedMediaType("Compressed bodies are not accepted; send it without Content-Encoding.")
 
 
-def require_media_type(headers: Mapping[bytes, bytes], wanted: str, advice: str) -> None:
-    """Take bodies of one media type, which may be left out, and as they are.
+def require_media_type(headers: Mapping[bytes, bytes], wanted: str, advice: str, *others: str) -> None:
+    """Take bodies of one media type, which may be left out, or of some others, and as they are.
 
     Raises
     ------
@@ -213,7 +213,7 @@ def require_media_type(headers: Mapping[bytes, bytes], wanted: str, advice: str)
         Another one, with the ``advice``; or an encoded body.
     """
     refuse_encoded(headers)
-    if media_type_of(headers) not in ("", wanted):
+    if media_type_of(headers) not in ("", wanted, *others):
         raise UnsupportedMediaType(advice)
 
 

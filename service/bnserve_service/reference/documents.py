@@ -8,7 +8,7 @@ from bnserve_protocol import ModelDescription, ModelIdentity, likelihood_nodes, 
 from bnserve_service.models.loading import RefreshReport
 from bnserve_service.models.registry import Catalogue, LoadedModel
 from bnserve_service.settings import ServiceLimits
-from bnserve_service.uploads.stores import StoredAnalysis
+from bnserve_service.uploads.stores import StoredAnalysis, StoredNetwork
 
 
 class ModelDocument(ModelDescription, frozen=True, kw_only=True):
@@ -77,6 +77,32 @@ def analysis_document(stored: StoredAnalysis) -> AnalysisDocument:
         samples_per_row=likelihood_samples(stored.analysis),
         stored_bytes=stored.nbytes,
         model_digest=settings.model_digest,
+    )
+
+
+class NetworkDocument(msgspec.Struct, frozen=True):
+    """An uploaded network of detectors."""
+
+    sha256: str
+    detectors: list[str]
+    f_min: float
+    f_max: float
+    trigger_time: float
+    moving: bool
+    stored_bytes: int
+
+
+def network_document(stored: StoredNetwork) -> NetworkDocument:
+    """Describe an uploaded network."""
+    network = stored.description
+    return NetworkDocument(
+        sha256=stored.sha256,
+        detectors=[detector.name for detector in network.detectors],
+        f_min=network.f_min,
+        f_max=network.f_max,
+        trigger_time=network.trigger_time,
+        moving=network.moving,
+        stored_bytes=stored.nbytes,
     )
 
 

@@ -27,7 +27,7 @@ Answers carry `Content-Digest` (RFC 9530) and, where there was a request body, i
 
 _STATUSES = {
     "400": "The body cannot be decoded",
-    "404": "Unknown model, version, grid, analysis or path",
+    "404": "Unknown model, version, grid, analysis, network or path",
     "406": "No acceptable media type",
     "413": "Over a limit, which the body states",
     "415": "Media type not offered",
@@ -87,6 +87,12 @@ def binary_body(media_type: str, description: str) -> dict[str, Any]:
     """The ``openapi_extra`` of a route that takes bytes."""
     content = {media_type: {"schema": {"type": "string", "format": "binary"}}}
     return {"requestBody": {"required": True, "description": description, "content": content}}
+
+
+def named_body(schema: str, description: str) -> dict[str, Any]:
+    """The ``openapi_extra`` of a route that takes a structure, as MessagePack or JSON."""
+    body = {"required": True, "description": description, "content": _json_content(schema)}
+    return {"requestBody": body}
 
 
 def _first_line(struct: type[msgspec.Struct]) -> str:

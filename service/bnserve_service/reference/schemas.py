@@ -15,20 +15,37 @@ from bnserve_protocol import (
     DRAWN_NAMES,
     IN_PLANE_NAMES,
     LIKELIHOOD_NAMES,
+    MOST_DETECTORS,
     PARAMETER_DEFAULTS,
     PARAMETER_NAMES,
     EvaluationOptions,
+    ForecastOptions,
     LikelihoodParameters,
     ParametersWithExtrinsic,
     RunManifest,
 )
-from bnserve_protocol.wire import LikelihoodAnswerBody, LikelihoodBody, Problem, WaveformBody
-from bnserve_service.reference.documents import AnalysisDocument, GridDocument, ModelDocument, ModelList, ReloadDocument
+from bnserve_protocol.wire import (
+    ForecastAnswerBody,
+    ForecastBody,
+    LikelihoodAnswerBody,
+    LikelihoodBody,
+    Problem,
+    WaveformBody,
+)
+from bnserve_service.reference.documents import (
+    AnalysisDocument,
+    GridDocument,
+    ModelDocument,
+    ModelList,
+    NetworkDocument,
+    ReloadDocument,
+)
 from bnserve_service.settings import ServiceLimits
 
 _REF = "#/components/schemas/{name}"
 _STRUCTS = [
-    Problem, ModelDocument, ModelList, GridDocument, AnalysisDocument, ServiceLimits, RunManifest, ReloadDocument,
+    Problem, ModelDocument, ModelList, GridDocument, AnalysisDocument, NetworkDocument, ServiceLimits, RunManifest,
+    ReloadDocument,
 ]  # fmt: skip
 
 
@@ -71,6 +88,29 @@ _GRID = {
         _object({"sha256": {"type": "string"}}),
     ]
 }
+_THREE = _list({"type": "number"}) | {"minItems": 3, "maxItems": 3}
+_NAME = {"type": "string", "pattern": "^[A-Za-z0-9_-]{1,32}$"}
+_CURVE = _object({"frequencies": _array_or(_NUMBERS), "asd": _array_or(_NUMBERS)})
+_NETWORK_DETECTOR = _object(
+    {
+        "name": _NAME | {"description": "Known here, unless there are a response and a location."},
+        "noise": {"oneOf": [_NAME, _CURVE], "description": "A curve known here, or frequencies in Hz and an ASD."},
+        "response": _list(_THREE) | {"minItems": 3, "maxItems": 3},
+        "location": _THREE | {"description": "Metres."},
+        "arms": _list(_THREE) | {"minItems": 2, "maxItems": 2, "description": "Metres, where their length counts."},
+    },
+    optional=("response", "location", "arms"),
+)
+_NETWORK = _object(
+    {
+        "detectors": _list(_NETWORK_DETECTOR) | {"minItems": 1, "maxItems": MOST_DETECTORS},
+        "f_min": {"type": "number", "exclusiveMinimum": 0, "description": "Hz"},
+        "f_max": {"type": "number", "exclusiveMinimum": 0, "description": "Hz"},
+        "trigger_time": {"type": "number", "description": "GPS seconds that coalescence_time is relative to"},
+        "moving": {"type": "boolean", "default": True, "description": "Whether the Earth turns while a signal lasts"},
+    },
+    optional=("moving",),
+)
 _WAVEFORMS = {
     "type": "object",
     "required": ["model", "status"],
@@ -123,9 +163,9 @@ def _body(name: str, schema: dict[str, Any], forms: dict[str, Any], *structs: ty
 
 def schemas() -> dict[str, Any]:
     """The schemas of everything that travels, by name."""
-    bodies = (WaveformBody, LikelihoodBody, LikelihoodAnswerBody)
+    bodies = (WaveformBody, LikelihoodBody, LikelihoodAnswerBody, ForecastBody, ForecastAnswerBody)
     _, made = msgspec.json.schema_components([*_STRUCTS, *bodies], ref_template=_REF)
-    question, sample, values = (made.pop(body.__name__) for body in bodies)
+    question, sample, values, binaries, forecasts = (made.pop(body.__name__) for body in bodies)
     calibration = {"type": "object", "maxProperties": 64, "additionalProperties": _array_or(_list(_NUMBERS))}
     names = (*PARAMETER_NAMES, *IN_PLANE_NAMES)
     waveforms = _parameter_forms(names, PARAMETER_DEFAULTS, ParametersWithExtrinsic)
@@ -140,9 +180,20 @@ def schemas() -> dict[str, Any]:
         "h_inner_h": _array_or(_PART),
         **dict.fromkeys(DRAWN_NAMES, _array_or(_list({"type": ["number", "null"]}))),
     }
+    whole = _parameter_forms(LIKELIHOOD_NAMES, ("reference_phase",), ParametersWithExtrinsic, LikelihoodParameters)
+    flags = _array_or(_list({"enum": [0, 1]}))
+    measured = {
+        **dict.fromkeys(("snr", "condition", "sky_area"), _array_or(_list({"type": ["number", "null"]}))),
+        **dict.fromkeys(("detector_snr", "root", "errors", "covariance"), _array_or(_PART)),
+        "status": _array_or(_list({"enum": [0, 1, 2, 3]})),
+        "singular": flags,
+        "beyond": _array_or(_list(_list({"enum": [0, 1]}))),
+    }
     return (
         made
-        | {"Array": _ARRAY, "GridBody": _GRID, "WaveformAnswer": _WAVEFORMS}
+        | {"Array": _ARRAY, "GridBody": _GRID, "NetworkBody": _NETWORK, "WaveformAnswer": _WAVEFORMS}
+        | _body("ForecastRequest", binaries, whole, ForecastOptions, ForecastBody)
+        | _body("ForecastAnswer", forecasts, measured, ForecastAnswerBody)
         | _body("WaveformRequest", question, waveforms, EvaluationOptions, WaveformBody)
         | _body("LikelihoodRequest", sample, likelihoods, LikelihoodBody)
         | _body("LikelihoodAnswer", values, answers, LikelihoodAnswerBody)

@@ -75,6 +75,9 @@ class Metrics:
         self._likelihoods = Counter(
             "bnserve_likelihoods", "Log-likelihoods evaluated, by status", ["model", "status"], registry=registry
         )
+        self._forecasts = Counter(
+            "bnserve_forecasts", "Binaries forecast, by status", ["model", "status"], registry=registry
+        )
         self.withdrawn = Counter(
             "bnserve_withdrawn", "Jobs removed from the queue before evaluation", ["reason"], registry=registry
         )
@@ -128,9 +131,11 @@ class Metrics:
 
     def likelihoods(self, model: str, status: NDArray[np.uint8]) -> None:
         """Count evaluated log-likelihoods by their :class:`RowStatus`."""
-        for value, rows in enumerate(np.bincount(status).tolist()):
-            if rows:
-                self._likelihoods.labels(model, RowStatus(value).name.lower()).inc(rows)
+        _count_by_status(self._likelihoods, model, status)
+
+    def forecasts(self, model: str, status: NDArray[np.uint8]) -> None:
+        """Count forecasts of binaries by their :class:`RowStatus`."""
+        _count_by_status(self._forecasts, model, status)
 
     def show_models(self, models: Mapping[tuple[str, str], ModelIdentity]) -> None:
         """State which models are served."""
@@ -160,6 +165,12 @@ class Metrics:
         together = CollectorRegistry()
         together.register(_Merged(merged))
         return generate_latest(together)
+
+
+def _count_by_status(counter: Counter, model: str, status: NDArray[np.uint8]) -> None:
+    for value, rows in enumerate(np.bincount(status).tolist()):
+        if rows:
+            counter.labels(model, RowStatus(value).name.lower()).inc(rows)
 
 
 class _Each(Collector):

@@ -1,4 +1,4 @@
-"""How much each token may keep uploaded: grids and analyses together, over all processes of a server.
+"""How much each token may keep uploaded: grids, analyses and networks together, over all processes of a server.
 
 An upload beyond a token's quota takes the place of what it uploaded longest ago. What it uploaded within the last
 minute is probably in use and stays: then the upload is refused until the minute is over, so that two analyses that do
@@ -17,13 +17,14 @@ from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal, TypeAlias
+from typing import Any, Literal, TypeAlias, get_args
 
 from bnserve_protocol import QuotaExceeded, TooLarge
 from bnserve_service.uploads.blobs import DIGEST, gone, locked
 from bnserve_service.uploads.stores import UploadStore
 
-Kind: TypeAlias = Literal["grid", "analysis"]
+Kind: TypeAlias = Literal["grid", "analysis", "network"]
+_KINDS: dict[str, Kind] = {kind: kind for kind in get_args(Kind)}
 KEPT_SECONDS = 60.0
 """So long an upload stays in any case."""
 LEFT_BEHIND = 60.0
@@ -101,7 +102,7 @@ class SharedRecords(Records):
         for path in sorted(self._folder.glob(f"{owner}/*-*")):
             kind, sha256, nbytes, *name = path.name.split("-")
             with suppress(FileNotFoundError):
-                upload = Upload("grid" if kind == "grid" else "analysis", sha256, int(nbytes), "".join(name))
+                upload = Upload(_KINDS[kind], sha256, int(nbytes), "".join(name))
                 found[upload] = path.stat().st_mtime
         return found
 

@@ -1,13 +1,14 @@
-"""Uploaded grids and analyses, by owner and digest; one process's, or known to all workers."""
+"""Uploaded grids, analyses and networks, by owner and digest; one process's, or known to all workers."""
 
 from __future__ import annotations
 
+import hashlib
 import threading
 from abc import ABC, abstractmethod
 from collections import OrderedDict
 from collections.abc import Callable
 from pathlib import Path
-from typing import ClassVar, Generic, NamedTuple, TypeAlias, TypeVar
+from typing import Any, ClassVar, Generic, NamedTuple, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,14 +18,17 @@ from bnserve_protocol import (
     AnalysisInvalid,
     AnalysisUnknown,
     BnserveError,
+    DetectorNetwork,
     GridUnknown,
     InvalidFrequencies,
     Likelihood,
+    NetworkUnknown,
     NotFound,
     TooLarge,
     UndecodableBody,
     WaveformModel,
     as_frequencies,
+    decode_network,
     grid_digest,
 )
 from bnserve_service.models.registry import LoadedModel
@@ -34,6 +38,9 @@ from bnserve_service.uploads.bounds import Blob, Bounds, size_of
 
 LikelihoodFactory: TypeAlias = Callable[[WaveformModel, Analysis], Likelihood]
 """Makes the likelihood of an analysis with a model; ``bnserve_inference.likelihood`` is one."""
+
+NetworkFactory: TypeAlias = Callable[[DetectorNetwork], Any]
+"""Makes of a description what forecasts are made with; ``bnserve_inference.fisher.Network.of`` is one."""
 
 _MODELS_OF_ONE = 4
 """So many models keep what they prepared for one analysis; nearly all analyses meet one."""
@@ -98,7 +105,7 @@ class UploadStore(ABC, Generic[T]):
 
         Raises
         ------
-        GridUnknown, AnalysisUnknown
+        GridUnknown, AnalysisUnknown, NetworkUnknown
             Never uploaded, or dropped since.
         Unavailable
             What the workers share is gone, and no worker can know.
@@ -149,7 +156,7 @@ class UploadStore(ABC, Generic[T]):
 
         Raises
         ------
-        GridUnknown, AnalysisUnknown
+        GridUnknown, AnalysisUnknown, NetworkUnknown
             It is not here.
         """
         if not self.discard(owner, sha256):
@@ -306,4 +313,49 @@ class AnalysisStore(UploadStore[StoredAnalysis]):
         return AnalysisUnknown(
             "No analysis that you uploaded has that digest here (they are dropped when the server restarts or needs "
             "the memory); upload it with PUT /v1/analyses/{sha256} and repeat the request."
+        )
+
+
+class StoredNetwork(NamedTuple):
+    """One network, checked: its name, which is the digest of its bytes, what travels, and what evaluates it."""
+
+    sha256: str
+    description: DetectorNetwork
+    network: Any
+    nbytes: int
+
+
+class NetworkStore(UploadStore[StoredNetwork]):
+    """Networks of detectors; each belongs to those who uploaded it, and is unknown to everybody else.
+
+    Parameters
+    ----------
+    settings
+        The limits.
+    build
+        Makes what forecasts are made with, or refuses it.
+    shared
+        The folder that the workers of one server share; None for a server of one process.
+    """
+
+    def __init__(self, settings: Settings, build: NetworkFactory, shared: Path | None = None) -> None:
+        most = settings.max_networks_bytes
+        bounds = Bounds(settings.max_networks, most // 2, most)
+        super().__init__(bounds, None if shared is None else shared / "networks")
+        self._max_bytes = settings.max_network_bytes
+        self._build = build
+
+    def _decode(self, body: bytes | memoryview, sha256: str) -> StoredNetwork:
+        if len(body) > self._max_bytes:
+            raise TooLarge(f"A network has at most {self._max_bytes} bytes here; this is larger.")
+        actual = hashlib.sha256(body).hexdigest()
+        if actual != sha256:
+            raise AnalysisInvalid(f"The SHA-256 of the body is {actual}, not the digest in the path; send it again.")
+        description = decode_network(body)
+        return StoredNetwork(sha256, description, self._build(description), len(body))
+
+    def _unknown(self) -> NotFound:
+        return NetworkUnknown(
+            "No network that you uploaded has that digest here (they are dropped when the server restarts or needs the "
+            "memory); upload it with PUT /v1/networks/{sha256} and repeat the request."
         )

@@ -221,7 +221,7 @@ class Supervisor:
 
 def room_needed(settings: dict[str, Any]) -> int:
     """Bytes that the folder that workers share should have room for."""
-    return int(settings["max_grid_bytes"] + settings["max_analyses_bytes"])
+    return int(settings["max_grid_bytes"] + settings["max_analyses_bytes"] + settings["max_networks_bytes"])
 
 
 def become_supervisor(

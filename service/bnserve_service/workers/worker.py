@@ -155,6 +155,7 @@ class _Agent:
             if beats % _BEATS_PER_TIDYING == 0:
                 self._parts.grids.tidy()
                 self._parts.analyses.tidy()
+                self._parts.networks.tidy()
             beats += 1
             await asyncio.sleep(BEAT_SECONDS)
 
