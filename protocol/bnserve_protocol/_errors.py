@@ -16,9 +16,7 @@
     ├── NotFound (LookupError)
     │   ├── ModelUnknown
     │   │   └── DigestUnknown       the model is here, but not the artifact that a caller insists on
-    │   ├── GridUnknown
-    │   ├── AnalysisUnknown
-    │   ├── NetworkUnknown
+    │   ├── GridUnknown, AnalysisUnknown, NetworkUnknown
     │   ├── PathUnknown
     │   └── StoreUnknown
     ├── ArtifactError

@@ -230,15 +230,10 @@ def _vector(raw: msgspec.Raw, numbers: Any) -> Floats:
 
 _POINTS = (40.0, 140.0)
 """Nodes of the integrals over an e-fold of frequency, with one noise curve: of one order of modes, and of several."""
-_FURTHER_MODE = 0.5
-"""Work of every mode beside the first, in that of the first."""
-_DERIVATIVES = 7
-"""Work of a waveform with its derivatives, in that of the waveform."""
-_SIGNAL = 120
-"""Work of the derivatives of the signal in a detector, of one order of modes, in that of a waveform."""
-
-
-_WITHOUT = 5
+_WAVEFORM, _FURTHER_MODE, _SIGNAL = 60, 8, 11
+"""Work at a node, in samples: of the (2, 2) with its derivatives and all that is done once, of every mode beside it,
+and of the signal of one order of modes in a detector (``python -m benchmarks.fisher``)."""
+_WITHOUT = 2.5
 """Times as much as the signal-to-noise ratio alone."""
 
 
@@ -247,7 +242,7 @@ def forecast_work(network: DetectorNetwork, modes: Sequence[Mode], *, derivative
     ``derivatives``, its signal-to-noise ratio alone."""
     count, orders = len(modes), len({order for _, order in modes})
     curves = len({it.noise if isinstance(it.noise, str) else it.noise[1].tobytes() for it in network.detectors})
-    points = curves * _POINTS[orders > 1] * max(1.0, math.log(network.f_max / network.f_min))
-    waveforms = _DERIVATIVES * (1.0 + (count - 1) * _FURTHER_MODE)
+    points = _POINTS[orders > 1] * max(1.0, math.log(network.f_max / network.f_min))
+    waveforms = curves * (_WAVEFORM + (count - 1) * _FURTHER_MODE)
     work = points * (waveforms + _SIGNAL * len(network.detectors) * orders)
     return int(work if derivatives else work / _WITHOUT)

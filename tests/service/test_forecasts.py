@@ -244,7 +244,7 @@ def test_sizes_are_limited(start):
 
 
 def test_work_is_limited(start):
-    server = start(ChirpModel(), max_samples=20_000)
+    server = start(ChirpModel(), max_samples=9_000)
     _, sha256 = put(server.address, network())
     asked = {"parameters": BINARY, "output": "snr"}
     more = asked | {"parameters": BINARY | {"lambda_1": [400.0] * 6}}
