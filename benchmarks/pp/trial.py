@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 import time
 from dataclasses import replace
 from typing import Any
@@ -15,10 +14,11 @@ from benchmarks.gw170817.analyses import BASIS
 from benchmarks.gw170817.coordinates import BINARY
 from benchmarks.gw170817.priors import LAMBDAS, aligned_spins, chirp_masses, mass_ratios
 from benchmarks.gw170817.setting import total_mass
+from benchmarks.pp.sampling import SETTINGS, kept, sampled
 from bnserve_inference import LikelihoodOptions, roq_analysis
 from bnserve_inference import likelihood as bound_likelihood
 from bnserve_inference.roq import load_shipped_basis
-from bnserve_posterior.sampling import Posterior, PosteriorUnreliable, Problem, Settings, sample
+from bnserve_posterior.sampling import Problem, Settings
 from bnserve_protocol import (
     LIKELIHOOD_NAMES,
     DistanceMarginalisation,
@@ -36,9 +36,6 @@ NAMES = (
 """What is sampled; the place in the sky is fixed, phase and distance are integrated over."""
 PLACE = {"right_ascension": 3.44616, "declination": -0.408084}
 DISTANCES, TIMES = (12.0, 30.0), (-0.01, 0.01)
-SETTINGS = Settings(particles=600, effective=3000)
-"""Ranks of a hundred injections need no more."""
-_TRIES = 4
 PERIODIC = (NAMES.index("polarization_angle"),)
 OPTIONS = LikelihoodOptions(
     prior=priors.RANGES | {"coalescence_time": TIMES},
@@ -80,28 +77,10 @@ def draw(seed: int) -> tuple[Floats, LikelihoodParameters]:
     return u, LikelihoodParameters(**values)
 
 
-def _sampled(problem: Problem, settings: Settings) -> Posterior:
-    """With twice the particles where these are too few: no injection is left out."""
-    for _ in range(_TRIES - 1):
-        try:
-            return sample(problem, settings)
-        except PosteriorUnreliable as error:
-            print(f"seed {settings.seed}, {settings.particles} particles: {error}", file=sys.stderr, flush=True)
-            settings = replace(settings, particles=2 * settings.particles)
-    return sample(problem, settings)
-
-
 def run(
     seed: int, asds: list[Floats], local: WaveformModel, model: Any, settings: Settings = SETTINGS
 ) -> dict[str, Any]:
-    """Sample one injection.
-
-    Returns
-    -------
-    result:
-        ``seed``, ``ranks`` (the fraction of the posterior below the truth, by parameter), ``snr``, ``calls``,
-        ``seconds``, ``log_evidence``, its error and that of either half, ``k_hat``, and the ``effective`` samples.
-    """
+    """Sample one injection; returns as :func:`benchmarks.pp.sampling.kept`."""
     started = time.perf_counter()
     truth, signal = draw(seed)
     data = setting.simulated(asds, local, signal, seed)
@@ -110,17 +89,7 @@ def run(
     )
     likelihood = bound_likelihood(model, analysis)
     problem = Problem(lambda u: likelihood.log_likelihood(cube_to_batch(u)), len(NAMES), BINARY, PERIODIC)
-    found = _sampled(problem, replace(settings, seed=seed))
-    below = found.weights @ (found.points < truth)
-    return {
-        "seed": seed,
-        "ranks": {name: round(float(rank), 5) for name, rank in zip(NAMES, below, strict=True)},
-        "snr": round(setting.network_snr(setting.simulated(asds, local, signal, None)), 2),
-        "calls": found.likelihoods,
-        "seconds": round(time.perf_counter() - started, 2),
-        "log_evidence": round(found.log_evidence, 3),
-        "log_evidence_error": round(found.log_evidence_error, 3),
-        "log_evidences": [[round(number, 3) for number in each] for each in found.log_evidences],
-        "k_hat": round(found.k_hat, 2),
-        "effective": round(found.effective, 1),
-    }
+    found = sampled(problem, replace(settings, seed=seed))
+    ranks = dict(zip(NAMES, found.weights @ (found.points < truth), strict=True))
+    snr = setting.network_snr(setting.simulated(asds, local, signal, None))
+    return kept(seed, ranks, snr, time.perf_counter() - started, found)

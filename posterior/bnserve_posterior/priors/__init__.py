@@ -5,6 +5,7 @@ from bnserve_posterior.priors._cube import PriorCube
 from bnserve_posterior.priors._parameters import derived_parameters, likelihood_batch, likelihood_parameters
 from bnserve_posterior.priors._reading import priors_of
 from bnserve_posterior.priors._syntax import parse_prior, read_prior_file
+from bnserve_posterior.priors._twins import twins_of
 
 __all__ = [
     "PriorCube",
@@ -15,4 +16,5 @@ __all__ = [
     "parse_prior",
     "priors_of",
     "read_prior_file",
+    "twins_of",
 ]

@@ -86,7 +86,7 @@ class _Masses:
         third = (first - _FIRST[0] * phases.zeroth - _FIRST[1] * phases.second) / _FIRST[2]
         values["chi_1"] = (third - phases.third - phases.along_2 * chi_2) / phases.along_1
         for name, column in self._place.items():
-            u[:, column] = _quantiles(self._cube, name, values[name])
+            u[:, column] = quantiles(self._cube, name, values[name])
         return self._log_volume(phases, third, values)
 
     def _log_volume(self, phases: _Phases, third: Floats, values: Values) -> Floats:
@@ -131,7 +131,7 @@ class _Tides:
     def backward(self, u: Floats, y: Floats, values: dict[str, Floats]) -> Floats:
         heavy, light = self._weights(values)
         values["lambda_1"] = (y[:, self._place] - light * values["lambda_2"]) / heavy
-        u[:, self._place] = _quantiles(self._cube, "lambda_1", values["lambda_1"])
+        u[:, self._place] = quantiles(self._cube, "lambda_1", values["lambda_1"])
         return _log_density(self._cube, "lambda_1", values["lambda_1"]) - np.log(heavy)
 
     def _weights(self, values: Values) -> tuple[Floats, Floats]:
@@ -171,7 +171,7 @@ class _Sky:
             values["coalescence_time"] = self._from + self._width * unit[:, 2] - delay
             names.append("coalescence_time")
         for name, column in zip(names, self.columns, strict=True):
-            u[:, column] = _quantiles(self._cube, name, values[name])
+            u[:, column] = quantiles(self._cube, name, values[name])
         return self._log_volume(places, values)
 
     def _log_volume(self, places: Floats, values: Values) -> Floats:
@@ -195,7 +195,7 @@ def coordinates_of(cube: PriorCube, detectors: Sequence[Detector]) -> Coordinate
     if {*_Tides.needs} <= {*cube.names}:
         blocks.append(_Tides(cube))
     axis = sky_axis(detectors)
-    if axis is not None and {*_Sky.needs} <= {*cube.names} and _isotropic(cube):
+    if axis is not None and isotropic(cube):
         blocks.append(_Sky(cube, axis, detectors[0]))
     taken = {column for block in blocks for column in block.columns}
     plain = [column for column in range(len(cube)) if column not in taken]
@@ -221,7 +221,10 @@ def coordinates_of(cube: PriorCube, detectors: Sequence[Detector]) -> Coordinate
     return Coordinates(from_cube, to_cube)
 
 
-def _isotropic(cube: PriorCube) -> bool:
+def isotropic(cube: PriorCube) -> bool:
+    """Whether the place in the sky is sampled, all of it, and each as probable as another."""
+    if not {*_Sky.needs} <= {*cube.names}:
+        return False
     from bilby.core.prior import Cosine, Uniform
 
     ra, dec = cube.priors["ra"], cube.priors["dec"]
@@ -229,7 +232,7 @@ def _isotropic(cube: PriorCube) -> bool:
     return whole and type(dec) is Cosine and math.isclose(dec.maximum - dec.minimum, math.pi)
 
 
-def _quantiles(cube: PriorCube, name: str, values: Floats) -> Floats:
+def quantiles(cube: PriorCube, name: str, values: Floats) -> Floats:
     """Where in the cube a parameter has these values; outside of it where it cannot."""
     prior = cube.priors[name]
     inside = (values > prior.minimum) & (values < prior.maximum)

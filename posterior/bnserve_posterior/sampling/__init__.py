@@ -8,7 +8,7 @@ from bnserve_posterior.sampling._errors import (
     SamplingError,
 )
 from bnserve_posterior.sampling._posterior import Posterior
-from bnserve_posterior.sampling._problem import PLAIN, Coordinates, Problem, Progress, Settings
+from bnserve_posterior.sampling._problem import PLAIN, Coordinates, Problem, Progress, Settings, Twins
 from bnserve_posterior.sampling._sample import sample
 
 __all__ = [
@@ -23,5 +23,6 @@ __all__ = [
     "Progress",
     "SamplingError",
     "Settings",
+    "Twins",
     "sample",
 ]

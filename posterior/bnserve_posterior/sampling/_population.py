@@ -3,7 +3,7 @@
 Particles of the prior are brought to the posterior in steps of the likelihood's power, each as large as leaves half of
 the population's effective size (Del Moral, Doucet, Jasra 2006). After each they are resampled and moved, until nearly
 all of them have moved: along differences of other particles (differential evolution, ter Braak 2006), and to draws from
-a mixture fitted to all. Everything is asked in batches of a population.
+a mixture fitted to all, and to twins where a problem has them. Everything is asked in batches of a population.
 
 What it ends with is where the posterior is, and not yet the posterior: its tails are thin, and the evidence that it
 could give is wrong where the posterior is a small part of the prior, by more than its error. Importance sampling
@@ -91,6 +91,7 @@ def advance(evaluate: Evaluator, now: Population, particles: int, random: np.ran
         for mine, others in (halves, halves[::-1]):
             now = _evolve(evaluate, now, (mine, others), coordinates, random)
             now = _propose(evaluate, now, (mine, others), random)
+            now = _hop(evaluate, now, mine, random)
         moved |= (now.points != before).any(axis=1)
         if moved.mean() >= _MOVED:
             break
@@ -148,6 +149,14 @@ def _propose(evaluate: Evaluator, now: Population, halves: Halves, random: np.ra
         balance[some] = proposal.log_density(now.points[mine[some]]) - proposal.log_density(there[some])
         now = _offer(evaluate, now, mine, there, balance, random)
     return now
+
+
+def _hop(evaluate: Evaluator, now: Population, mine: NDArray[np.intp], random: np.random.Generator) -> Population:
+    """Offer each of one half one of its twins, if there are any."""
+    if evaluate.problem.twins is None:
+        return now
+    there = evaluate.problem.twins(now.points[mine], random)
+    return _offer(evaluate, now, mine, there, np.zeros(len(mine)), random)
 
 
 def _offer(

@@ -13,6 +13,7 @@ from scipy.special import ndtr, ndtri
 Floats = NDArray[np.float64]
 LogLikelihood = Callable[[Floats], Floats]
 Transform = Callable[[Floats], tuple[Floats, Floats]]
+Twins = Callable[[Floats, np.random.Generator], Floats]
 _LOWEST, _HIGHEST = 1e-300, 1.0 - 2.0**-53
 """First and last place between the edges, which are at infinity; numbers near 0 are finer than those near 1."""
 
@@ -58,12 +59,16 @@ class Problem:
         In which the posterior is nearly a mixture of few normal distributions.
     periodic:
         Columns whose ends, 0 and 1, are the same place; in coordinates they stand for themselves.
+    twins:
+        From points ``(N, D)`` to others where the likelihood may be much the same, one of few at random: the way back is
+        as probable, and volumes stay what they are. What a population finds in one place it then finds in all.
     """
 
     log_likelihood: LogLikelihood
     dimensions: int
     coordinates: Coordinates = PLAIN
     periodic: tuple[int, ...] = ()
+    twins: Twins | None = None
 
 
 @dataclass(frozen=True)
