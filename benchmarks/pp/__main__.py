@@ -6,8 +6,8 @@
 
 Seeded binaries of the prior in seeded noise; the model that makes the signals is the one that analyses them.
 
-- ``ligo``: the event's ASDs (three detectors, 128 s, 23 to 2000 Hz), one place in the sky, phase and distance integrated
-  over, reduced-order quadrature, sampled through a service.
+- ``ligo``: the event's ASDs (three detectors, 128 s, 23 to 2000 Hz), one place in the sky, phase and distance
+  integrated over, reduced-order quadrature, sampled through a service.
 - ``et``: the triangle of the Einstein Telescope, which the Earth turns, 8,192 s from 5 to 512 Hz, signals projected by
   brute force, analysed by relative binning with the moving response (:mod:`benchmarks.pp.turning`).
 

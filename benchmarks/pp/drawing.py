@@ -10,7 +10,6 @@ import numpy as np
 
 from benchmarks.figures.style import GREY, figure, talk
 
-
 TITLES = {"ligo": "LIGO and Virgo, 128 s", "et": "Einstein Telescope, 8,192 s"}
 Results = Sequence[Mapping[str, Any]]
 

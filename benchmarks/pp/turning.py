@@ -1,8 +1,9 @@
 """One injection in the Einstein Telescope, which the Earth turns while the signal lasts.
 
-The signal of (2, 2) is projected by brute force (:mod:`benchmarks.inference.brute_force`), which shares nothing with the
-response, into seeded noise of the triangle: 8,192 s from 5 Hz. It is analysed as ``bnserve analyse`` does it: relative
-binning around the middle of the prior, in coordinates of the prior. The place in the sky is anywhere and known.
+The signal of (2, 2) is projected by brute force (:mod:`benchmarks.inference.brute_force`), which shares nothing with
+the response, into seeded noise of the triangle: 8,192 s from 5 Hz. It is analysed as ``bnserve analyse`` does it:
+relative binning around the middle of the prior, in coordinates of the prior. The place in the sky is anywhere, and
+known.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ START = TRIGGER - CASE.duration + 2.0
 DISTANCES = (150.0, 2000.0)
 """Mpc, uniform in the logarithm: signal-to-noise ratios of some 10 to 250."""
 SPIN = "AlignedSpin(a_prior=Uniform(minimum=0, maximum=0.1))"
-PRIOR = {
+PRIOR: dict[str, Any] = {
     "chirp_mass": (1.2498, 1.2502),
     "mass_ratio": "UniformInComponentsMassRatio(minimum=0.5, maximum=1)",
     "chi_1": SPIN,
@@ -76,7 +77,7 @@ def draw(seed: int) -> Injected:
     u = random.random(len(cube))
     distance = DISTANCES[0] * (DISTANCES[1] / DISTANCES[0]) ** random.random()
     batch = cube.batch({**cube(u[None]), "luminosity_distance": np.array([distance])})
-    values = {name: float(batch[name][0]) for name in LIKELIHOOD_NAMES}
+    values: dict[str, Any] = {name: float(batch[name][0]) for name in LIKELIHOOD_NAMES}
     values["reference_phase"] = float(random.uniform(0.0, 4.0 * np.pi))  # it is twice the orbital phase
     return Injected(cube, u, LikelihoodParameters(**values))
 

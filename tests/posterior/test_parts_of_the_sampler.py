@@ -3,10 +3,12 @@
 import numpy as np
 import pytest
 
-from bnserve_posterior.sampling import PLAIN
+from bnserve_posterior.sampling import PLAIN, Problem
 from bnserve_posterior.sampling._bending import Bending
+from bnserve_posterior.sampling._evaluation import Evaluator
 from bnserve_posterior.sampling._mixture import Mixture
 from bnserve_posterior.sampling._pareto import pareto_k
+from bnserve_posterior.sampling._population import Population, advance
 
 
 @pytest.mark.parametrize(("shape", "by_arviz"), [(0.1, 0.12666), (0.5, 0.49866), (0.9, 0.87061)])
@@ -80,3 +82,19 @@ def test_plain_coordinates_can_be_undone_and_know_their_volume():
     np.testing.assert_allclose(volumes, -0.5 * np.sum(y**2 + np.log(2.0 * np.pi), axis=1))
     deep = PLAIN.to_cube(np.array([[-20.0, -30.0, 3.0]]))[0]
     np.testing.assert_allclose(PLAIN.from_cube(deep)[0], [[-20.0, -30.0, 3.0]], rtol=1e-9)
+
+
+def two_peaks(points):
+    """One at 0.2, and one at 0.8 that holds twenty times as much."""
+    far = [np.sum((points - centre) ** 2, axis=1) / (2.0 * 0.01**2) for centre in (0.2, 0.8)]
+    return np.logaddexp(-far[0], np.log(20.0) - far[1])
+
+
+@pytest.mark.parametrize("twins", [None, lambda points, random: 1.0 - points], ids=["alone", "with twins"])
+def test_a_population_finds_a_peak_that_it_has_lost_by_way_of_twins(twins):
+    random = np.random.default_rng(9)
+    points = 0.2 + 0.01 * random.standard_normal((400, 4))
+    lost = Population(points, two_peaks(points), 0.9, 7)
+    found = advance(Evaluator(Problem(two_peaks, 4, twins=twins), 4000), lost, 400, random)
+    part = np.mean(found.points[:, 0] > 0.5)
+    assert part == 0.0 if twins is None else abs(part - 20.0 / 21.0) < 0.06

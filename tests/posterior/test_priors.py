@@ -6,7 +6,7 @@ import bilby
 import numpy as np
 import pytest
 
-from bnserve_inference import Detector, sidereal_time, time_delay
+from bnserve_inference import Detector, antenna_pattern, sidereal_time, time_delay
 from bnserve_posterior.events import EventInvalid
 from bnserve_posterior.priors import (
     PriorCube,
@@ -15,6 +15,7 @@ from bnserve_posterior.priors import (
     parse_prior,
     priors_of,
     read_prior_file,
+    twins_of,
 )
 
 TRIGGER = 1187008882.43
@@ -212,3 +213,55 @@ def test_places_of_no_binary_are_outside_of_the_cube():
     u = coordinates.to_cube(1e3 * y)[0]
     assert np.isfinite(u).all()
     assert ((u < 0.0).any(axis=1) | (u > 0.0).all(axis=1)).all()
+
+
+TRIANGLE = [Detector.named(name) for name in ("E1", "E2", "E3")]
+
+
+def seen(detector, values, row):
+    """Both polarisations of a (2, 2) mode in a detector, and when its signal arrives."""
+    sidereal = sidereal_time(TRIGGER)[0]
+    place = values["ra"][row], values["dec"][row]
+    plus, cross = antenna_pattern(detector, *place, values["psi"][row], sidereal)
+    cosine = np.cos(values["theta_jn"][row])
+    arrival = values["coalescence_time"][row] + time_delay(detector, *place, sidereal)
+    return np.array([0.5 * plus * (1.0 + cosine**2), cross * cosine]), arrival
+
+
+@pytest.mark.parametrize("quadrupole", [False, True], ids=["all modes", "(2, 2), whose sign is a phase"])
+def test_detectors_at_one_place_hear_twins_alike(quadrupole):
+    cube = cube_of(quadrupole=quadrupole)
+    random, u = np.random.default_rng(7), points(cube, 200)
+    there = twins_of(cube, TRIANGLE)(u, random)
+    some = np.flatnonzero(((there > 0.0) & (there < 1.0)).all(axis=1))  # others arrive outside of the prior
+    assert len(some) > 100
+    one, other = cube(u[some]), cube(there[some])
+    assert np.min(np.abs(one["ra"] - other["ra"]) + np.abs(one["dec"] - other["dec"])) > 1e-3
+    for row in range(len(some)):
+        signs = []
+        for detector in TRIANGLE:
+            (h, arrival), (again, later) = seen(detector, one, row), seen(detector, other, row)
+            assert abs(arrival - later) < 1e-4
+            signs.append(np.sign(h @ again))
+            np.testing.assert_allclose(again, signs[0] * h, atol=0.02)
+        assert signs[0] > 0.0 or quadrupole
+
+
+def test_twins_keep_volumes_and_lead_back():
+    cube = cube_of(geocent_time=TRIGGER)
+    random, u = np.random.default_rng(8), points(cube, 20_000)
+    hop = twins_of(cube, TRIANGLE)
+    there = hop(u, random)
+    for column in range(len(cube)):
+        held, _ = np.histogram(there[:, column], 20, (0.0, 1.0))
+        assert np.abs(held - 1000).max() < 160  # five standard deviations
+    back = np.min([np.abs(hop(there, random) - u).max(axis=1) for _ in range(60)], axis=0)
+    assert np.quantile(back, 0.99) < 1e-9
+
+
+def test_detectors_at_two_places_or_a_prior_of_a_part_of_the_sky_have_no_twins():
+    assert twins_of(cube_of(), [Detector.named("H1"), Detector.named("L1")]) is None
+    assert twins_of(cube_of(), [*TRIANGLE, Detector.named("CE40")]) is None
+    assert twins_of(cube_of(ra=1.0), TRIANGLE) is None
+    assert twins_of(cube_of(theta_jn=(0.0, 1.0)), TRIANGLE) is None
+    assert twins_of(cube_of(), TRIANGLE[:1]) is not None

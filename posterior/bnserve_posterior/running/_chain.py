@@ -16,7 +16,7 @@ from bnserve_inference import likelihood
 from bnserve_posterior.data import EventData, load_data
 from bnserve_posterior.events import Event
 from bnserve_posterior.likelihoods import build_likelihood, full_likelihood, integrated_names, model_doubts
-from bnserve_posterior.priors import PriorCube, coordinates_of, priors_of
+from bnserve_posterior.priors import PriorCube, coordinates_of, priors_of, twins_of
 from bnserve_posterior.results import FullCheck, Samples, check_with_full, samples_of_posterior
 from bnserve_posterior.running._folder import Folder
 from bnserve_posterior.sampling import Posterior, Problem, Progress, Settings, sample
@@ -84,7 +84,8 @@ class Prepared:
         """What is sampled."""
         sites = [one.site() for one in self.data.detectors]
         coordinates = coordinates_of(self.cube, sites)
-        return Problem(self.log_likelihood, len(self.cube), coordinates, self.cube.periodic())
+        twins = twins_of(self.cube, sites)
+        return Problem(self.log_likelihood, len(self.cube), coordinates, self.cube.periodic(), twins)
 
 
 @dataclass(frozen=True, eq=False)

@@ -60,8 +60,8 @@ class Problem:
     periodic:
         Columns whose ends, 0 and 1, are the same place; in coordinates they stand for themselves.
     twins:
-        From points ``(N, D)`` to others where the likelihood may be much the same, one of few at random: the way back is
-        as probable, and volumes stay what they are. What a population finds in one place it then finds in all.
+        From points ``(N, D)`` to others where the likelihood may be much the same, one of few at random: the way back
+        is as probable, and volumes stay what they are. What a population finds in one place it then finds in all.
     """
 
     log_likelihood: LogLikelihood
