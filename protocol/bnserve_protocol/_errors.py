@@ -16,7 +16,9 @@
     ├── NotFound (LookupError)
     │   ├── ModelUnknown
     │   │   └── DigestUnknown       the model is here, but not the artifact that a caller insists on
-    │   ├── GridUnknown, AnalysisUnknown, NetworkUnknown
+    │   ├── GridUnknown
+    │   ├── AnalysisUnknown
+    │   ├── NetworkUnknown
     │   ├── PathUnknown
     │   └── StoreUnknown
     ├── ArtifactError
@@ -118,9 +120,7 @@ def _rebuild(error: type[BnserveError], detail: str, errors: Sequence[FieldError
 
 def _harmless(problem: FieldError) -> FieldError:
     texts = {name: getattr(problem, name) for name in ("reason", "parameter", "value")}
-    changed = {
-        name: printable(text) for name, text in texts.items() if isinstance(text, str) and not text.isprintable()
-    }
+    changed = {name: printable(text) for name, text in texts.items() if not str(text).isprintable()}
     return msgspec.structs.replace(problem, **changed) if changed else problem
 
 

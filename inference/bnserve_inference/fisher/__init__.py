@@ -1,5 +1,6 @@
 """Forecasts: Fisher matrices of binaries in networks of detectors."""
 
+from bnserve_inference.fisher._drawing import draw_population, luminosity_distance
 from bnserve_inference.fisher._forecasting import forecast
 from bnserve_inference.fisher._loudness import signal_to_noise
 from bnserve_inference.fisher._network import Network, NoiseCurve
@@ -18,8 +19,10 @@ __all__ = [
     "SignalToNoise",
     "as_samples",
     "draw_forecasts",
+    "draw_population",
     "forecast",
     "forecast_catalogue",
+    "luminosity_distance",
     "read_population",
     "signal_to_noise",
     "summary",

@@ -6,7 +6,7 @@ import hashlib
 import json
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -37,7 +37,7 @@ class Piece:
 def forecast_catalogue(
     model: WaveformModel, network: Network, samples: LikelihoodBatch, options: ForecastOptions, output: Path, *,
     work: Path, n_jobs: int = -1, backend: str = "threading", opener: Callable[[], WaveformModel] | None = None,
-    progress: bool | None = None,
+    progress: bool | None = None, population: Mapping[str, Floats] | None = None,
 ) -> dict[str, Floats]:  # fmt: skip
     """Forecasts of a catalogue, written to an HDF5 file; what was interrupted goes on, to the same result.
 
@@ -55,11 +55,14 @@ def forecast_catalogue(
         As :class:`ModelSource` takes it.
     progress
         Whether there is a bar; None for a terminal.
+    population
+        Columns that are written beside the forecasts, as ``population/NAME``.
 
     Returns
     -------
     What the file has: ``snr``, ``detector_snr``, ``condition``, ``singular``, ``status``, ``sky_area_90`` in square
-    degrees, ``error/NAME`` and ``beyond/NAME`` for each coordinate, ``covariance``.
+    degrees, ``error/NAME`` and ``beyond/NAME`` for each coordinate, ``covariance``; and the population,
+    where it is given.
 
     Raises
     ------
@@ -86,6 +89,7 @@ def forecast_catalogue(
             for name in kept.files:
                 found.setdefault(name, []).append(kept[name])
     whole = {name: np.concatenate(parts) for name, parts in found.items()}
+    whole |= {f"population/{name}": column for name, column in (population or {}).items()}
     _write(output, whole, model, network, options)
     return whole
 

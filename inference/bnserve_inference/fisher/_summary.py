@@ -38,21 +38,25 @@ def summary(found: Mapping[str, NDArray[Any]]) -> dict[str, float]:
 
 
 def draw_forecasts(found: Mapping[str, NDArray[Any]], path: Path) -> None:
-    """How many binaries have less than so much: signal-to-noise ratio, errors of distance and tides, sky areas."""
+    """How many binaries have less than so much: signal-to-noise ratio, errors of distance and tides, sky areas.
+
+    But for the first, of those alone that the network hears.
+    """
     require("matplotlib", "A picture of forecasts", "roq")
     from matplotlib.figure import Figure
 
     panels = {name: text for name, text in _PANELS.items() if name in found}
     figure = Figure(figsize=(9.0, 6.5), layout="constrained")
+    heard = found["snr"] > _LOUD[1]
     for axes, (name, label) in zip(figure.subplots(2, 2).ravel(), panels.items(), strict=False):
-        values = np.sort(found[name][np.isfinite(found[name])])
+        values = np.sort(found[name][np.isfinite(found[name]) & (heard | (name == "snr"))])
         if not len(values):
             continue
         axes.step(values, np.arange(1, len(values) + 1), where="post", color="#1f6feb")
         axes.set_xscale("log")
         axes.set_yscale("log")
         axes.set_xlabel(label)
-        axes.set_ylabel("binaries with less")
+        axes.set_ylabel("binaries with less" if name == "snr" else f"of those above {_LOUD[1]:g}, with less")
         axes.grid(visible=True, alpha=0.3)
     draft = path.with_name(f".draft-{path.name}")
     try:

@@ -11,6 +11,8 @@ from typing import Any
 NETWORKS = {"ET": ("E1", "E2", "E3"), "ET-S": ("ETS1", "ETS2", "ETS3"), "ET-MR": ("ETM1", "ETM2", "ETM3"),
             "ET-2L": ("ETSL", "ETML"), "CE1": ("CE40",), "CE2": ("CE20",)}  # fmt: skip
 """Detectors by the names that forecasts have for them; others by their own."""
+_ASKING = 4
+"""Workers that wait for a server's answers: it has as many processors as it has."""
 _CURVES = {"CE40": "CE40", "CE20": "CE20", "E": "ET-D"}
 
 
@@ -23,7 +25,14 @@ def add_parser(subparsers: Any) -> None:
         "ratios, errors, areas of the sky, covariances. What is finished is kept: run the same command again after an "
         "interruption and it goes on, to the same result.",
     )
-    parser.add_argument("population", type=Path, metavar="POPULATION", help="a column for each parameter")
+    parser.add_argument(
+        "population", type=Path, nargs="?", metavar="POPULATION", help="a column for each parameter; none with --draw"
+    )
+    parser.add_argument(
+        "--draw", type=int, metavar="N", help="draw N binaries that merge in a year, in place of a file"
+    )
+    parser.add_argument("--seed", type=int, default=1, help="of what is drawn (1)")
+    parser.add_argument("--redshift", type=float, default=10.0, metavar="Z", help="up to which binaries are drawn (10)")
     parser.add_argument("--output", type=Path, required=True, metavar="FILE.h5")
     parser.add_argument(
         "--network", default="ET", metavar="NAMES", help=f"such as ET,CE1; {', '.join(NETWORKS)}, or detectors (ET)"
@@ -34,13 +43,15 @@ def add_parser(subparsers: Any) -> None:
     )  # fmt: skip
     parser.add_argument("--model", default="default", metavar="NAME[@VERSION]", help="(default)")
     parser.add_argument("--store", type=Path, action="append", metavar="DIR", help="searched before the shipped models")
+    parser.add_argument("--url", metavar="URL", help="of a server that makes the forecasts: http://host:8000")
+    parser.add_argument("--token", metavar="TOKEN", help="where it wants one ($BNSERVE_TOKEN or $BNSERVE_TOKEN_FILE)")
     parser.add_argument("--quadrupole", action="store_true", help="the (2, 2) mode alone")
     parser.add_argument("--f-min", type=float, default=5.0, metavar="HZ", help="(5)")
     parser.add_argument("--f-max", type=float, default=2048.0, metavar="HZ", help="(2048)")
     parser.add_argument("--static", action="store_true", help="detectors stand still")
     parser.add_argument("--prior", action="append", default=[], metavar="NAME=WIDTH", help="Gaussian, of a coordinate")
     parser.add_argument("--work", type=Path, default=Path("runs"), metavar="DIR", help="for checkpoints (runs)")
-    parser.add_argument("--jobs", type=int, default=-1, metavar="N", help="workers at once (all cores)")
+    parser.add_argument("--jobs", type=int, metavar="N", help="workers at once (all cores; 4 that ask a server)")
     parser.add_argument(
         "--backend", default="threading", metavar="NAME", help="joblib backend, or ray[:ADDRESS] (threading)"
     )
@@ -54,14 +65,7 @@ def run(options: argparse.Namespace) -> int:
     """Read, forecast, write, say."""
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):  # before numpy: the workers are many
         os.environ.setdefault(name, "1")
-    from bnserve_inference.fisher import (
-        ForecastOptions,
-        as_samples,
-        draw_forecasts,
-        forecast_catalogue,
-        read_population,
-        summary,
-    )
+    from bnserve_inference.fisher import ForecastOptions, as_samples, draw_forecasts, forecast_catalogue, summary
     from bnserve_protocol import require
     from bnserve_service.cli.places import check_place, open_model, print_json
 
@@ -69,8 +73,10 @@ def run(options: argparse.Namespace) -> int:
         require("matplotlib", "The picture", "demo")
         check_place(options.plot, "--plot")
     check_place(options.output, "--output")
-    samples, trigger = as_samples(read_population(options.population))
-    opener = partial(open_model, options.model, options.store)
+    population = _population(options)
+    samples, trigger = as_samples(population)
+    where = {"url": options.url, "token": options.token, "purpose": "A server's forecasts", "retries": None}
+    opener = partial(open_model, options.model, options.store, **where)
     found = forecast_catalogue(
         opener(),
         _network(options, trigger),
@@ -78,10 +84,11 @@ def run(options: argparse.Namespace) -> int:
         ForecastOptions(modes=[(2, 2)] if options.quadrupole else None, priors=_priors(options.prior)),
         options.output,
         work=options.work,
-        n_jobs=options.jobs,
+        n_jobs=options.jobs or (_ASKING if options.url else -1),
         backend=options.backend,
         opener=opener,
         progress=False if options.no_progress else None,
+        population=population,
     )
     if options.plot is not None:
         draw_forecasts(found, options.plot)
@@ -92,6 +99,16 @@ def run(options: argparse.Namespace) -> int:
         print(f"{name:32s} {value:,.4g}")
     print(f"Forecasts: {options.output}")
     return 0
+
+
+def _population(options: argparse.Namespace) -> Any:
+    from bnserve_inference.fisher import draw_population, read_population
+
+    if (options.population is None) is (options.draw is None):
+        raise _refusal("Forecasts are of a file of binaries, or of N that --draw N draws: give one of the two.")
+    if options.draw is None:
+        return read_population(options.population)
+    return draw_population(options.draw, options.seed, most_redshift=options.redshift)
 
 
 def _network(options: argparse.Namespace, trigger: float) -> Any:

@@ -44,7 +44,13 @@ def name_and_version(model: str) -> tuple[str, str]:
 
 
 def open_model(
-    model: str, stores: list[Path] | None, *, url: str | None = None, token: str | None = None, purpose: str = "A model"
+    model: str,
+    stores: list[Path] | None,
+    *,
+    url: str | None = None,
+    token: str | None = None,
+    purpose: str = "A model",
+    retries: int | None = 2,
 ) -> Any:
     """A model ``NAME[@VERSION]`` of these stores or of those that ship with the package, or of a server.
 
@@ -54,6 +60,8 @@ def open_model(
         Of the server; the token may be in the environment.
     purpose
         What needs the client then, as the beginning of a sentence.
+    retries
+        Of every request to it; None for as many as its time allows.
 
     Raises
     ------
@@ -66,7 +74,7 @@ def open_model(
     if url:
         client = require("bnserve_client", purpose)
         return client.Model.connect(
-            server_address(url), name, version=version, token=token or token_of_environment(), retries=2
+            server_address(url), name, version=version, token=token or token_of_environment(), retries=retries
         )
     from bnserve_store import ModelStore
     from bnserve_surrogate import Model

@@ -1,13 +1,15 @@
 """Forecasts of catalogues: files of other programs, interruptions, and what the command says."""
 
+import io
 import json
 
 import h5py
 import numpy as np
 import pytest
 
-from bnserve_inference.fisher import as_samples, read_population
-from bnserve_protocol import AnalysisInvalid, InvalidParameters
+from bnserve_inference.fisher import as_samples, draw_population, luminosity_distance, read_population
+from bnserve_protocol import AnalysisInvalid, InvalidParameters, InvalidRequest
+from bnserve_service import BackgroundServer, Settings
 from bnserve_service.cli import main
 
 COLUMNS = {
@@ -113,6 +115,70 @@ def test_the_command_writes_says_and_goes_on(text, tmp_path, capsys):
     assert "Forecasts: " in capsys.readouterr().out
     assert run(text, tmp_path, "--network", "ET") == 0  # another question
     assert len(list((tmp_path / "runs").glob("fisher-*"))) == 2
+
+
+def test_a_population_is_drawn_forecast_and_plotted(tmp_path, capsys):
+    command = ["fisher", "--draw", "6", "--seed", "3", "--redshift", "0.5", "--quadrupole", "--f-min", "20"]
+    where = [
+        "--output",
+        str(tmp_path / "out.h5"),
+        "--work",
+        str(tmp_path / "runs"),
+        "--plot",
+        str(tmp_path / "out.png"),
+    ]
+    assert main([*command, *where, "--prior", "chi_1=0.05", "--prior", "chi_2=0.05", "--no-progress", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["binaries"] == 6
+    assert (tmp_path / "out.png").read_bytes()[:4] == b"\x89PNG"
+    drawn = draw_population(6, 3, most_redshift=0.5)
+    with h5py.File(tmp_path / "out.h5") as stored:
+        kept = {name: stored[f"population/{name}"][()] for name in stored["population"]}
+        assert np.isfinite(stored["error/lambda_tilde"][()]).all()
+    assert kept.keys() == drawn.keys()
+    assert all(np.array_equal(kept[name], drawn[name]) for name in drawn)
+    assert main([*command, *where, str(tmp_path / "population.csv")]) == 2
+    assert "give one of the two" in capsys.readouterr().err
+
+
+def test_populations_are_what_they_are_said_to_be():
+    drawn = draw_population(20_000, 1)
+    assert (drawn["mass_1_source"] >= drawn["mass_2_source"]).all()
+    both = np.concatenate([drawn["mass_1_source"], drawn["mass_2_source"]])
+    assert both.mean() == pytest.approx(1.33, abs=3e-3)
+    assert both.std() == pytest.approx(0.0886, abs=2e-3)
+    assert drawn["lambda_1"] == pytest.approx(400.0 * (drawn["mass_1_source"] / 1.4) ** -6.0)
+    assert np.abs(drawn["chi_1"]).max() < 0.05
+    # The part of all mergers nearer than a redshift of one, by a sum on another grid.
+    z = np.linspace(1e-6, 10.0, 100_001)
+    comoving = np.cumsum(1.0 / np.sqrt(0.30966 * (1.0 + z) ** 3 + 0.69034))
+    rate = (1.0 + z) ** 1.7 / (1.0 + ((1.0 + z) / 2.9) ** 5.6) * comoving**2 / np.sqrt(0.30966 * (1 + z) ** 3 + 0.69034)
+    assert (drawn["redshift"] < 1.0).mean() == pytest.approx(rate[z < 1.0].sum() / rate.sum(), abs=0.006)
+    assert drawn["luminosity_distance"].tolist() == luminosity_distance(drawn["redshift"]).tolist()
+    for most in (0.01, 1.0):
+        z = np.linspace(0.0, most, 100_001)
+        comoving = 299792.458 / 67.66 * np.trapezoid(1.0 / np.sqrt(0.30966 * (1.0 + z) ** 3 + 0.69034), z)
+        assert luminosity_distance(np.array([most])) == pytest.approx((1.0 + most) * comoving, rel=1e-9)
+    assert (draw_population(5, 1)["redshift"] == draw_population(5, 1)["redshift"]).all()
+    assert (draw_population(5, 1)["redshift"] != draw_population(5, 2)["redshift"]).all()
+    for count, most in ((0, 1.0), (5, 0.0), (5, float("nan")), (5, 100.0)):
+        with pytest.raises(InvalidRequest, match="A population has binaries"):
+            draw_population(count, 1, most_redshift=most)
+
+
+def test_a_server_makes_them(text, tmp_path, capsys):
+    assert run(text, tmp_path, "--network", "ET,CE1") == 0
+    here = (tmp_path / "out.h5").read_bytes()
+    with BackgroundServer(Settings(port=0)) as server:
+        assert (
+            run(text, tmp_path, "--network", "ET,CE1", "--url", server.address, "--work", str(tmp_path / "more")) == 0
+        )
+        capsys.readouterr()
+        assert run(text, tmp_path, "--url", server.address, "--model", "defualt") == 2
+        assert "defualt" in capsys.readouterr().err
+    with h5py.File(io.BytesIO(here)) as ours, h5py.File(tmp_path / "out.h5") as theirs:
+        for name in ("snr", "covariance", "sky_area_90", "error/lambda_tilde"):
+            assert ours[name][()].tobytes() == theirs[name][()].tobytes()
+        assert ours.attrs["model"] == theirs.attrs["model"]
 
 
 @pytest.mark.parametrize(
