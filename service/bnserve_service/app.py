@@ -24,6 +24,7 @@ from bnserve_service.evaluation.forecasts import Forecasts, build_network, make_
 from bnserve_service.evaluation.likelihoods import Likelihoods, bind_likelihood
 from bnserve_service.evaluation.questions import Kind, Question
 from bnserve_service.evaluation.service import EvaluationService, Outcome
+from bnserve_service.evaluation.umbridge import ApplyJacobian, Evaluate, Gradient
 from bnserve_service.evaluation.waveforms import Waveforms
 from bnserve_service.http.access import METRICS, HostCheck, TokenCheck, is_public
 from bnserve_service.http.access_log import AccessLog
@@ -39,6 +40,7 @@ from bnserve_service.reference.explorer import explorer_router
 from bnserve_service.reference.openapi import openapi_document
 from bnserve_service.routes.models import model_router
 from bnserve_service.routes.operations import health_router, metrics_router, reload_router
+from bnserve_service.routes.umbridge import umbridge_router
 from bnserve_service.routes.uploads import Receiver, analysis_router, grid_router, network_router
 from bnserve_service.settings import Settings
 from bnserve_service.shared.metrics import SharedMetrics
@@ -136,6 +138,7 @@ class Application(FastAPI):
             grid_router(parts.grids, receiver, parts.settings),
             analysis_router(parts.analyses, receiver, parts.settings, parts.lifecycle),
             network_router(parts.networks, receiver, parts.settings, parts.lifecycle),
+            umbridge_router(parts.registry, parts.analyses, parts.bodies, parts.settings),
             health_router(parts.health),
         ]
         if not parts.settings.reload_is_apart:
@@ -261,6 +264,7 @@ def create_app(
             Waveforms(grids, limits, metrics),
             Likelihoods(analyses, limits, metrics, bind or bind_likelihood),
             Forecasts(networks, limits, metrics, make_forecast),
+            *(kind(analyses, limits, metrics, bind or bind_likelihood) for kind in (Evaluate, Gradient, ApplyJacobian)),
         ),
         evaluation=evaluation,
         lifecycle=lifecycle,

@@ -39,6 +39,13 @@ class SettingsInvalid(protocol.InvalidRequest):
     title = "Invalid settings"
 
 
+class UnsupportedFeature(protocol.InvalidRequest):
+    """An UM-Bridge client asks for what a model does not support."""
+
+    code = "feature-unsupported"
+    title = "Feature not supported"
+
+
 class BodyTooSlow(protocol.UndecodableBody):
     """The body did not arrive in time; what may still come of it is not waited for."""
 
@@ -76,6 +83,25 @@ def problem_body(error: BnserveError, request_id: str, status: int | None = None
         detail = problem.detail[:_LONGEST_DETAIL]
         problem = msgspec.structs.replace(problem, detail=detail, error=detail, errors=problem.errors[:_MOST_ERRORS])
     return chosen, msgspec.json.encode(problem)
+
+
+UMBRIDGE = "/v1/umbridge/"
+"""What routes begin with whose errors have the form of UM-Bridge."""
+_UMBRIDGE_TYPES: tuple[tuple[type[BnserveError], str], ...] = (
+    (UnsupportedFeature, "UnsupportedFeature"),
+    (protocol.ModelUnknown, "ModelNotFound"),
+    (protocol.AnalysisUnknown, "ModelNotFound"),
+    (protocol.InvalidRequest, "InvalidInput"),
+)
+"""Those of UM-Bridge, which come with 400; of the others, the class says what is wrong, and the status is ours."""
+
+
+def umbridge_body(error: BnserveError, status: int | None = None) -> tuple[int, bytes]:
+    """Status and JSON body of an error for UM-Bridge clients: ``{"error": {"type", "message"}}`` and nothing else."""
+    kind = next((name for cls, name in _UMBRIDGE_TYPES if isinstance(error, cls)), None)
+    chosen = status or (400 if kind is not None else status_of(error))
+    told = {"type": kind or type(error).__name__, "message": error.detail[:_LONGEST_DETAIL]}
+    return chosen, msgspec.json.encode({"error": told})
 
 
 def problem_headers(error: BnserveError) -> list[tuple[bytes, bytes]]:

@@ -63,6 +63,26 @@ def test_the_analysis_of_one_is_unknown_to_another():
     assert kept(analyses, "me") == {0}
 
 
+@pytest.mark.parametrize("workers", [1, 2])
+def test_what_is_listed_is_of_one_owner_and_counts_as_unused(workers, tmp_path):
+    """Also what another worker received, which has to be read once."""
+    me, you = "1" * 64, "2" * 64
+    settings = Settings(max_analysis_bytes=SIZE, max_owner_analyses_bytes=2 * SIZE, max_analyses_bytes=20 * SIZE)
+    received = AnalysisStore(settings, decode_analysis, tmp_path if workers > 1 else None)
+    other = AnalysisStore(settings, decode_analysis, tmp_path) if workers > 1 else received
+    put(received, me, 0, 1)
+    put(received, you, 2)
+    assert other.all_bytes_to_read(me) == (2 * SIZE if workers > 1 else 0)
+    assert [stored.sha256 for stored in other.all_of(me)] == sorted(NAMES[:2])
+    assert other.all_bytes_to_read(me) == 0
+    assert other.all_of("3" * 64) == []
+    other.get(me, NAMES[0])
+    other.all_of(me)
+    put(received, me, 3)
+    assert kept(received, me) == {0, 3}
+    assert {stored.sha256 for stored in other.all_of(me)} == {NAMES[0], NAMES[3]}
+
+
 def test_two_owners_of_the_same_share_its_memory_and_neither_takes_it_from_the_other():
     analyses = store()
     assert put(analyses, "me", 0) == put(analyses, "you", 0) == [True]

@@ -63,7 +63,7 @@ class EvaluationEndpoint:
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Evaluate one request."""
         request = context_of(scope)
-        request.media_type, request.answer_type, request.digest = negotiate(request.headers)
+        request.media_type, request.answer_type, request.digest = self._kind.forms(request.headers)
         deadline = request.deadline
         refuse_early = partial(self._service.refuse_early, self._kind, request, deadline)
         with self._bodies.of(request) as incoming:

@@ -4,6 +4,7 @@ gradients, inner products by detector, or draws of what is integrated over, wher
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any, ClassVar
 
 import msgspec
 import numpy as np
@@ -25,6 +26,7 @@ from bnserve_protocol.wire import (
     JSON,
     LikelihoodAnswer,
     LikelihoodOutput,
+    LikelihoodRequest,
     array_keys,
     decode_likelihood_request,
     encode_likelihood_answer,
@@ -81,7 +83,10 @@ class Likelihoods(Kind[LikelihoodQuestion]):
     """
 
     name = "likelihoods"
-    paths = ("/v1/models/{name}/likelihoods/{sha256}", "/v1/models/{name}/versions/{version}/likelihoods/{sha256}")
+    paths: ClassVar[tuple[str, ...]] = (
+        "/v1/models/{name}/likelihoods/{sha256}",
+        "/v1/models/{name}/versions/{version}/likelihoods/{sha256}",
+    )
     operation = Operation(
         tag="likelihoods",
         identifier="log_likelihood",
@@ -129,12 +134,17 @@ class Likelihoods(Kind[LikelihoodQuestion]):
             It has more rows, or more work, than one request may have.
         """
         stored = self._analyses.get(request.owner, self.subject(request))
-        analysis = stored.analysis
         asked = decode_likelihood_request(body, request.media_type, self._limits.max_rows)
-        if asked.analysis not in (None, analysis.digest):
+        if asked.analysis not in (None, stored.analysis.digest):
             raise InvalidRequest("The body names another analysis than the path; they must be the same.")
-        check_model_of(analysis, model.model.description)
-        batch, output = asked.batch, asked.output
+        check_model_of(stored.analysis, model.model.description)
+        return LikelihoodQuestion(**self._question(model, stored, asked, request))
+
+    def _question(
+        self, model: LoadedModel, stored: StoredAnalysis, asked: LikelihoodRequest, request: RequestContext
+    ) -> dict[str, Any]:
+        """The fields of a :class:`LikelihoodQuestion`."""
+        analysis, batch, output = stored.analysis, asked.batch, asked.output
         if output == "draws" and not integrated_names(analysis.settings):
             raise InvalidRequest("The analysis integrates over nothing that could be drawn: ask for its products.")
         if output == "gradients" and not hasattr(model.model, "predict_derivatives"):
@@ -144,19 +154,19 @@ class Likelihoods(Kind[LikelihoodQuestion]):
         samples = likelihood_samples(analysis)
         _check_sizes(len(batch), samples, self._limits)
         nodes = tuple((name, array.shape[1]) for name, array in batch.calibration_amplitude.items())
-        return LikelihoodQuestion(
-            kind=self,
-            model=model,
-            batch=batch,
-            key=(id(model), analysis.digest, batch.absent, nodes, output),
-            cost=self._cost(len(batch), samples * _unnamed_modes(analysis, model), output),
-            answer_bytes=len(batch) * _bytes_per_row(analysis, output),
-            answer_type=request.answer_type,
-            digest=request.digest,
-            stored=stored,
-            output=output,
-            uniforms=asked.uniforms,
-        )
+        return {
+            "kind": self,
+            "model": model,
+            "batch": batch,
+            "key": (id(model), analysis.digest, batch.absent, nodes, output),
+            "cost": self._cost(len(batch), samples * _unnamed_modes(analysis, model), output),
+            "answer_bytes": len(batch) * _bytes_per_row(analysis, output),
+            "answer_type": request.answer_type,
+            "digest": request.digest,
+            "stored": stored,
+            "output": output,
+            "uniforms": asked.uniforms,
+        }
 
     def _cost(self, rows: int, samples: int, output: LikelihoodOutput) -> int:
         """Of rows; what asks for more than likelihoods counts as no more than fits into the queue, in whatever pieces,

@@ -7,7 +7,7 @@ A new kind of question is a module here with a subclass of :class:`Question` and
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Generic, Self, TypeAlias, TypeVar
 
@@ -15,7 +15,7 @@ import msgspec
 from numpy.typing import NDArray
 
 from bnserve_protocol.wire import DigestName
-from bnserve_service.http.requests import RequestContext
+from bnserve_service.http.requests import RequestContext, negotiate
 from bnserve_service.models.registry import LoadedModel
 from bnserve_service.settings import REQUEST_COST
 
@@ -78,6 +78,19 @@ class Kind(ABC, Generic[Q]):
     operation: ClassVar[Operation]
     """What the OpenAPI document says of it."""
 
+    def forms(self, headers: Mapping[bytes, bytes]) -> tuple[str, str, DigestName]:
+        """As :func:`~bnserve_service.http.requests.negotiate`."""
+        return negotiate(headers)
+
+    def address(self, body: bytes, request: RequestContext) -> None:
+        """Put into ``request.path`` what its body says of whom it asks.
+
+        Raises
+        ------
+        UndecodableBody, NotFound
+            It does not say it, or there is no such thing.
+        """
+
     def subject(self, request: RequestContext) -> str:
         """What bodies of equal size have to agree in to cost about the same."""
         return self.name
@@ -124,3 +137,5 @@ class Operation:
     """Its bodies have the schemas ``<bodies>Request`` and ``<bodies>Answer``."""
     example: Any
     """A request in JSON."""
+    json_alone: bool = False
+    """Whether it is not for MessagePack; the errors of those are UM-Bridge's."""

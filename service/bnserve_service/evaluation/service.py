@@ -159,6 +159,7 @@ class EvaluationService:
         UndecodableBody, InvalidRequest, NotFound, TooLarge
             As :meth:`Kind.read <bnserve_service.evaluation.questions.Kind.read>`.
         """
+        kind.address(body, request)
         model = self._find(request)
         size = len(body) + kind.bytes_to_load(request)
         question: Question = await self._bodies.work(size, kind.read, model, body, request)

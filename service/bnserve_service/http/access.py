@@ -7,6 +7,7 @@ Of bearer tokens, the hashes are compared, in constant time; the token itself is
 
 from __future__ import annotations
 
+import base64
 import hashlib
 import hmac
 import re
@@ -19,6 +20,7 @@ from bnserve_protocol import Forbidden, Unauthorized
 from bnserve_service.admission.token_book import Entry, TokenBook
 from bnserve_service.admission.tokens import Scope as TokenScope
 from bnserve_service.admission.tokens import Token
+from bnserve_service.errors import UMBRIDGE
 from bnserve_service.http.requests import Header, RequestContext
 from bnserve_service.process.listening import is_loopback
 from bnserve_service.settings import ANY_HOST, Settings
@@ -129,7 +131,7 @@ class TokenCheck:
         Forbidden
             The token lacks the scope.
         """
-        token, ends, quota = self._find(headers)
+        token, ends, quota = self._find(headers, context.route)
         context.caller, context.owner = token.name, token.sha256
         if ends <= time.time():
             raise Unauthorized(f"This token ended{_on(token)}; ask whoever gave it to you for another.")
@@ -139,9 +141,11 @@ class TokenCheck:
         context.quota = quota
         context.pays = needed == _PAYS
 
-    def _find(self, headers: Sequence[Header]) -> Entry:
+    def _find(self, headers: Sequence[Header], route: str) -> Entry:
         given = [value for name, value in headers if name == b"authorization"]
         kind, _, text = (given[0] if len(given) == 1 else b"").partition(b" ")
+        if kind.lower() == b"basic" and route.startswith(UMBRIDGE):
+            kind, text = b"bearer", _password(text)
         digest = hashlib.sha256(text.strip()).hexdigest()
         found = [entry for entry in self._book.entries if hmac.compare_digest(entry.token.sha256, digest)]
         if len(given) > 1:
@@ -152,6 +156,14 @@ class TokenCheck:
         if kind.lower() != b"bearer" or not found:
             raise Unauthorized("This service needs a token: send 'Authorization: Bearer <token>' with a valid one.")
         return found[0]
+
+
+def _password(text: bytes) -> bytes:
+    """Of basic authentication, which is all that UM-Bridge clients have; empty where there is none."""
+    try:
+        return base64.b64decode(text.strip(), validate=True).partition(b":")[2]
+    except ValueError:
+        return b""
 
 
 def _on(token: Token) -> str:

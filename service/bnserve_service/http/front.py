@@ -22,9 +22,17 @@ from starlette.routing import Route
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from bnserve_protocol import BnserveError, InvalidRequest, UndecodableBody
-from bnserve_protocol.wire import PROBLEM_JSON
+from bnserve_protocol.wire import JSON, PROBLEM_JSON
 from bnserve_service.admission.control import Lifecycle
-from bnserve_service.errors import ClientDisconnected, from_http_status, internal_error, problem_body, problem_headers
+from bnserve_service.errors import (
+    UMBRIDGE,
+    ClientDisconnected,
+    from_http_status,
+    internal_error,
+    problem_body,
+    problem_headers,
+    umbridge_body,
+)
 from bnserve_service.http.access import HostCheck, TokenCheck, is_public
 from bnserve_service.http.answers import body_headers, send_answer
 from bnserve_service.http.cors import CrossOrigin
@@ -217,8 +225,13 @@ class Front:
         else:
             told = internal_error(context.request_id)
             logger.error("request %s failed", context.request_id, exc_info=error)
-        status, body = problem_body(told, context.request_id, status)
-        headers = [*body_headers([body], PROBLEM_JSON), *problem_headers(told), *extra]
+        if context.route.startswith(UMBRIDGE):
+            status, body = umbridge_body(told, status)
+            media_type = JSON
+        else:
+            status, body = problem_body(told, context.request_id, status)
+            media_type = PROBLEM_JSON
+        headers = [*body_headers([body], media_type), *problem_headers(told), *extra]
         self._metrics.refused(told.code)
         context.error = told.code
         return status, headers, body

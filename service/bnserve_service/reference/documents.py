@@ -64,6 +64,8 @@ class AnalysisDocument(msgspec.Struct, frozen=True):
     stored_bytes: int
     model_digest: str | None
     """The only model it may be evaluated with, if there is one."""
+    parameters: list[str]
+    """What a sample has to say, all but what is integrated over; in this order they are an UM-Bridge input."""
 
 
 def analysis_document(stored: StoredAnalysis) -> AnalysisDocument:
@@ -77,6 +79,7 @@ def analysis_document(stored: StoredAnalysis) -> AnalysisDocument:
         samples_per_row=likelihood_samples(stored.analysis),
         stored_bytes=stored.nbytes,
         model_digest=settings.model_digest,
+        parameters=stored.parameters,
     )
 
 

@@ -72,6 +72,26 @@ def answers_with_text(media_type: str) -> dict[int | str, dict[str, Any]]:
     return {200: {"description": "The text", "content": {media_type: {"schema": {"type": "string"}}}}} | _PROBLEMS
 
 
+_UMBRIDGE_PROBLEM = {
+    "description": "Any error: InvalidInput, ModelNotFound and UnsupportedFeature of UM-Bridge with 400, and others",
+    "content": {JSON: {"schema": reference("UmBridgeProblem")}},
+}
+
+
+def json_answer(struct: type[msgspec.Struct] | None = None) -> dict[int | str, dict[str, Any]]:
+    """The ``responses`` of a route for UM-Bridge; without a structure, of one that is not offered."""
+    answers: dict[int | str, dict[str, Any]] = {"default": _UMBRIDGE_PROBLEM}
+    if struct is None:
+        return answers | {400: _UMBRIDGE_PROBLEM}
+    content = {JSON: {"schema": reference(struct.__name__)}}
+    return answers | {200: {"description": _first_line(struct), "content": content}}
+
+
+def json_body(name: str) -> dict[str, Any]:
+    """The ``openapi_extra`` of a route for UM-Bridge that takes an ``UmBridge<name>Request``."""
+    return {"requestBody": {"required": True, "content": {JSON: {"schema": reference(f"UmBridge{name}Request")}}}}
+
+
 FOUND_OR_NOT: dict[int | str, dict[str, Any]] = {
     200: {"description": "It is here"},
     404: {"description": "It is not"},
@@ -115,16 +135,19 @@ def _post(path: str, operation: Operation) -> dict[str, Any]:
     if "{version}" in path:
         identifier, summary = f"{identifier}_version", f"{summary} with a given version"
     request, answer = ({"schema": reference(operation.bodies + kind)} for kind in ("Request", "Answer"))
-    ok = {"description": "The answer", "headers": _HEADERS_OUT, "content": {MSGPACK: answer, JSON: answer}}
-    problems = {status: _problem(text) for status, text in _STATUSES.items()}
+    problems = {status: _problem(text) for status, text in _STATUSES.items()} | {"default": _problem("Any other error")}
     example = request | {"example": operation.example}
+    bodies, answers = {MSGPACK: request, JSON: example}, {MSGPACK: answer, JSON: answer}
+    if operation.json_alone:
+        del bodies[MSGPACK], answers[MSGPACK]
+        problems = {"default": _UMBRIDGE_PROBLEM}
     described = {
         "tags": [operation.tag],
         "summary": summary,
         "operationId": identifier,
         "parameters": _parameters(path),
-        "requestBody": {"required": True, "content": {MSGPACK: request, JSON: example}},
-        "responses": {"200": ok, **problems, "default": _problem("Any other error")},
+        "requestBody": {"required": True, "content": bodies},
+        "responses": {"200": {"description": "The answer", "headers": _HEADERS_OUT, "content": answers}, **problems},
     }
     return {"post": described}
 

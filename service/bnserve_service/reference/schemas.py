@@ -32,6 +32,21 @@ from bnserve_protocol.wire import (
     Problem,
     WaveformBody,
 )
+from bnserve_service.evaluation.umbridge_bodies import (
+    UmBridgeApplyJacobianAnswer,
+    UmBridgeApplyJacobianRequest,
+    UmBridgeConfig,
+    UmBridgeEvaluateAnswer,
+    UmBridgeEvaluateRequest,
+    UmBridgeGradientAnswer,
+    UmBridgeGradientRequest,
+    UmBridgeInfo,
+    UmBridgeInputSizes,
+    UmBridgeModelInfo,
+    UmBridgeModelRequest,
+    UmBridgeOutputSizes,
+    UmBridgeProblem,
+)
 from bnserve_service.reference.documents import (
     AnalysisDocument,
     GridDocument,
@@ -46,7 +61,15 @@ _REF = "#/components/schemas/{name}"
 _STRUCTS = [
     Problem, ModelDocument, ModelList, GridDocument, AnalysisDocument, NetworkDocument, ServiceLimits, RunManifest,
     ReloadDocument,
+    UmBridgeApplyJacobianAnswer, UmBridgeEvaluateAnswer, UmBridgeGradientAnswer, UmBridgeInfo, UmBridgeInputSizes,
+    UmBridgeModelInfo, UmBridgeOutputSizes, UmBridgeProblem,
 ]  # fmt: skip
+
+_UMBRIDGE: tuple[type[msgspec.Struct], ...] = (
+    UmBridgeConfig, UmBridgeModelRequest, UmBridgeEvaluateRequest, UmBridgeGradientRequest,
+    UmBridgeApplyJacobianRequest,
+)  # fmt: skip
+"""Whose fields their docstrings describe."""
 
 
 def reference(name: str) -> dict[str, Any]:
@@ -164,7 +187,9 @@ def _body(name: str, schema: dict[str, Any], forms: dict[str, Any], *structs: ty
 def schemas() -> dict[str, Any]:
     """The schemas of everything that travels, by name."""
     bodies = (WaveformBody, LikelihoodBody, LikelihoodAnswerBody, ForecastBody, ForecastAnswerBody)
-    _, made = msgspec.json.schema_components([*_STRUCTS, *bodies], ref_template=_REF)
+    _, made = msgspec.json.schema_components([*_STRUCTS, *_UMBRIDGE, *bodies], ref_template=_REF)
+    for struct in _UMBRIDGE:
+        made |= _body(struct.__name__, made[struct.__name__], {}, *reversed(struct.__mro__[:-2]))
     question, sample, values, binaries, forecasts = (made.pop(body.__name__) for body in bodies)
     calibration = {"type": "object", "maxProperties": 64, "additionalProperties": _array_or(_list(_NUMBERS))}
     names = (*PARAMETER_NAMES, *IN_PLANE_NAMES)

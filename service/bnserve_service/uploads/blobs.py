@@ -96,6 +96,13 @@ class BlobStore:
         except OSError:
             return None
 
+    def names(self, owner: str) -> list[str]:
+        """What an owner has, by its digests, sorted."""
+        with suppress(FileNotFoundError):
+            folder = self._path(owner, "0" * 64).parent
+            return sorted(path.name for path in folder.iterdir() if DIGEST.fullmatch(path.name))
+        return []
+
     def read(self, owner: str, name: str) -> memoryview | None:
         """The content of a file, mapped, so that it takes memory once; None when it is not there."""
         try:

@@ -7,6 +7,7 @@ import threading
 from abc import ABC, abstractmethod
 from collections import OrderedDict
 from collections.abc import Callable
+from contextlib import suppress
 from pathlib import Path
 from typing import Any, ClassVar, Generic, NamedTuple, TypeAlias, TypeVar
 
@@ -14,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import (
+    LIKELIHOOD_NAMES,
     Analysis,
     AnalysisInvalid,
     AnalysisUnknown,
@@ -30,6 +32,7 @@ from bnserve_protocol import (
     as_frequencies,
     decode_network,
     grid_digest,
+    integrated_names,
 )
 from bnserve_service.models.registry import LoadedModel
 from bnserve_service.settings import Settings
@@ -118,13 +121,29 @@ class UploadStore(ABC, Generic[T]):
             if found is not None:
                 self._held.move_to_end(key)
                 return found.value
+        return self._read(key)
+
+    def all_of(self, owner: str) -> list[T]:
+        """What this owner has uploaded, in the order of the digests; that it was listed does not count as use."""
+        with self._lock:
+            held = {key: held.value for key, held in self._held.items()}
+        if self._blobs is None:
+            return [held[key] for key in sorted(held) if key == self._key(owner, key[1])]
+        found = []
+        for key in [self._key(owner, sha256) for sha256 in self._blobs.names(self._key(owner, "")[0])]:
+            with suppress(NotFound):  # dropped a moment ago
+                found.append(held[key] if key in held else self._read(key))
+        return found
+
+    def _read(self, key: tuple[str, str]) -> T:
+        """What another worker received."""
         content = None if self._blobs is None else self._blobs.read(*key)
         if content is None:
             raise self._unknown()
         try:
-            value = self._decode(content, sha256)  # checked as if it had just arrived
+            value = self._decode(content, key[1])  # checked as if it had just arrived
         except BnserveError:
-            self.discard(owner, sha256)
+            self.discard(*key)
             raise self._unknown() from None
         return self._keep(key, value, len(content))[0]
 
@@ -177,6 +196,11 @@ class UploadStore(ABC, Generic[T]):
         """How much :meth:`get` has to read and check: what another worker received, when it is first used here."""
         key = self._key(owner, sha256)
         return 0 if self._blobs is None or key in self._held else self._blobs.size(*key) or 0
+
+    def all_bytes_to_read(self, owner: str) -> int:
+        """How much :meth:`all_of` has to read and check."""
+        names = [] if self._blobs is None else self._blobs.names(self._key(owner, "")[0])
+        return sum(self.bytes_to_read(owner, sha256) for sha256 in names)
 
     def tidy(self) -> None:
         """Give back the memory of what another worker has dropped."""
@@ -261,6 +285,12 @@ class StoredAnalysis:
         self.analysis = analysis
         self.nbytes = nbytes
         self._likelihoods: dict[LoadedModel, Likelihood] = {}
+
+    @property
+    def parameters(self) -> list[str]:
+        """What a sample says, in the order of ``LIKELIHOOD_NAMES``: all but what is integrated over."""
+        integrated = integrated_names(self.analysis.settings)
+        return [name for name in LIKELIHOOD_NAMES if name not in integrated]
 
     @property
     def sha256(self) -> str:
