@@ -254,7 +254,7 @@ class Model:
         ``polarizations()`` has all ten parameters, and :func:`bnserve_protocol.coordinate_jacobian` other coordinates.
         Where tides are weaker than the least ones trained on (1.5) only the baseline changes with them. A step in
         Lambda across 1, below which a star has the quadrupole of a black hole, is no slope: to either side it has its
-        own. Errors as :meth:`predict`, and InvalidRequest of a model whose regressor is a network.
+        own. Errors as :meth:`predict`.
         """
         check_options(options)
         return mode_derivatives(self._evaluator, frequencies, batch, options)

@@ -82,7 +82,15 @@ class ComplexModel:
             powers.append(2.0 * u * powers[-1] - powers[-2])
         table = np.array(powers)
         terms = np.prod([table[own["polynomial_exponents"][:, axis], axis] for axis in range(5)], axis=0)
-        return terms @ own["polynomial_coefficients"].astype(float)
+        return terms @ own["polynomial_coefficients"].astype(float) + self._network(own, u)
+
+    def _network(self, own, layer):
+        count = sum(name.startswith("mlp_weights") for name in own)
+        for number in range(count):
+            layer = layer @ own[f"mlp_weights_{number}"].astype(float) + own[f"mlp_biases_{number}"]
+            if number + 1 < count:
+                layer = np.tanh(layer)
+        return layer if count else 0.0
 
     def _ratio(self, mode, x, p):
         own = {name[3:]: tensor for name, tensor in self.tensors.items() if name.startswith(f"{mode}/")}
@@ -96,6 +104,8 @@ class ComplexModel:
 def coordinates(kind, p, least):
     q, one, other = p["mass_ratio"], p["lambda_1"], p["lambda_2"]
     x_1, x_2 = q / (1.0 + q), 1.0 / (1.0 + q)
+    if kind == "raw":
+        return np.array([q, p["chi_1"], p["chi_2"], one, other])
     one, other = (value if value.real >= least else least for value in (one, other))
     tides = x_1 * one**0.4, x_2 * other**0.4
     if kind == "symmetric":

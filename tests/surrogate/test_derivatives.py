@@ -7,6 +7,7 @@ from bnserve_protocol import (
     COORDINATES,
     DERIVATIVE_NAMES,
     PARAMETER_NAMES,
+    SOLAR_MASS_SECONDS,
     EvaluationOptions,
     InvalidRequest,
     OutOfDomain,
@@ -20,6 +21,7 @@ from bnserve_surrogate.kernel.build import source_digest
 from bnserve_surrogate.tangents._call import ASSEMBLY
 from bnserve_surrogate.tangents.build import sources
 from tests.surrogate.complex_model import ComplexModel, binaries
+from tests.surrogate.networks import ACTIVATIONS, network_model
 
 FREQUENCIES = np.geomspace(6.0, 1900.0, 300)
 MERGER = EvaluationOptions(alignment="merger")
@@ -86,8 +88,11 @@ def test_the_modes_are_those_of_predict_modes(model):
     assert derivatives.shape == (1, 7, 6, len(FREQUENCIES))
 
 
-@pytest.mark.parametrize(("name", "version"), [("fast", "2.0.0"), ("wide", "1.0.0"), ("default", "1.0.0")])
+@pytest.mark.parametrize(
+    ("name", "version"), [("fast", "2.0.0"), ("wide", "1.0.0"), ("default", "1.0.0"), ("paper", "1.0.0")]
+)
 def test_other_models_have_them(name, version):
+    """Of the last the regressor is a network, beside a polynomial."""
     model, judge, batch = Model.load(name, version), ComplexModel(name, version), batch_of()
     inside = FREQUENCIES[FREQUENCIES > 25.0]
     found = model.predict_derivatives(inside, batch, options=EvaluationOptions(alignment="merger", modes=((2, 2),)))
@@ -106,6 +111,24 @@ def by_differences(ask, batch, name, step):
         below[name][:] -= times * step
         total = total + weight * np.log(ask(above) / ask(below))
     return total / step
+
+
+@pytest.mark.parametrize("activation", ACTIVATIONS)
+def test_every_activation_of_a_network_has_its_slope(metadata, tensors, activation):
+    """Of eleven binaries, so that whole vectors of rows are not enough."""
+    model, own, _ = network_model(metadata, tensors, activation)
+    random, batch = np.random.default_rng(5), ParameterBatch(batch_of().values.repeat(11, axis=0))
+    for name, bounds in {"mass_ratio": (1.2, 2.8), "chi_1": (-0.4, 0.4), "chi_2": (-0.4, 0.4)}.items():
+        batch[name][:] = random.uniform(*bounds, 11)
+    for name in ("lambda_1", "lambda_2"):
+        batch[name][:] = random.uniform(100.0, 4000.0, 11)
+    f = own["22/amplitude_nodes"][5:40:7] / (batch["total_mass"][0] * SOLAR_MASS_SECONDS)
+    found = model.predict_derivatives(f, batch, options=MERGER)
+    for name, step in {"mass_ratio": 1e-6, "chi_1": 1e-6, "chi_2": 1e-6, "lambda_1": 1e-2, "lambda_2": 1e-2}.items():
+        expected = by_differences(lambda it: model.predict_modes(f, it, options=MERGER).h, batch, name, step)
+        ours = found.derivatives[:, :, DERIVATIVE_NAMES.index(name)] / found.h
+        scale = np.abs(expected).max(axis=(1, 2), keepdims=True)
+        np.testing.assert_allclose(ours / scale, expected / scale, atol=1e-5)
 
 
 OUTSIDE = {"below": np.linspace(1.5, 4.0, 20), "above half": np.linspace(1400.0, 2500.0, 20)}
@@ -163,11 +186,6 @@ def test_bad_rows_are_flagged_or_refused(model):
     assert np.isfinite(found.derivatives[[0, 2]]).all()
     with pytest.raises(OutOfDomain, match="mass_ratio"):
         model.predict_derivatives(FREQUENCIES, ParameterBatch(values))
-
-
-def test_a_network_is_refused():
-    with pytest.raises(InvalidRequest, match="network"):
-        Model.load("paper").predict_derivatives(FREQUENCIES, batch_of(lambda_1=400.0, lambda_2=400.0))
 
 
 def test_a_reference_frequency_holds_the_phase(model):

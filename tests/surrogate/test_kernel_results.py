@@ -1,9 +1,7 @@
 """What the kernel writes where: forms of output, rows that are refused, memory, threads."""
 
 import gc
-import itertools
 
-import msgspec
 import numpy as np
 import pytest
 
@@ -17,11 +15,11 @@ from bnserve_protocol import (
     ParameterBatch,
     RowStatus,
 )
-from bnserve_surrogate import Model, ModeMetadata
-from bnserve_surrogate._tensors import read_modes
+from bnserve_surrogate import Model
 from bnserve_surrogate.baseline import taylorf2_amplitude
 from bnserve_surrogate.kernel._layout import DENSE, STREAMED
 from tests.surrogate.conftest import random_batch
+from tests.surrogate.networks import ACTIVATIONS, network_model
 from tests.surrogate.one_mode import OneMode
 
 FLAG = EvaluationOptions(out_of_domain="flag")
@@ -158,26 +156,9 @@ def test_memory_of_a_large_result_is_used_again_when_nobody_refers_to_it(shipped
     assert address in {h.ctypes.data for h in later}
 
 
-ACTIVATIONS = {
-    "tanh": np.tanh,
-    "relu": lambda x: np.maximum(x, 0.0),
-    "logistic": lambda x: 1.0 / (1.0 + np.exp(-x)),
-}
-
-
 @pytest.mark.parametrize("activation", ACTIVATIONS)
 def test_every_activation_of_a_network_is_its_definition(metadata, tensors, activation):
-    """Two hidden layers of 11 and 37 neurons, some of them far in saturation."""
-    rng = np.random.default_rng(3)
-    sizes = (5, 11, 37, 7)
-    own = {name: value for name, value in tensors.items() if "mlp" not in name and "polynomial" not in name}
-    own["22/coordinate_scale"] = own["22/coordinate_scale"] * [1.0, 0.1, 0.1, 1e-3, 1e-3]
-    layers = [(rng.normal(size=(a, b)) * 2.0, rng.normal(size=b)) for a, b in itertools.pairwise(sizes)]
-    layers[-1] = (layers[-1][0] * 0.05, layers[-1][1] * 0.05)
-    for number, (weights, biases) in enumerate(layers):
-        own[f"22/mlp_weights_{number}"], own[f"22/mlp_biases_{number}"] = weights, biases
-    described = msgspec.structs.replace(metadata, modes={"22": ModeMetadata(coordinates="raw", activation=activation)})
-    model = Model(described, described.describe("network", "1", "sha256:0"), read_modes(described, own))
+    model, own, layers = network_model(metadata, tensors, activation)
     batch = typical(10)
     theta = np.column_stack([batch[name] for name in ("mass_ratio", "chi_1", "chi_2", "lambda_1", "lambda_2")])
     x = (theta - own["22/coordinate_offset"]) * own["22/coordinate_scale"]

@@ -9,13 +9,13 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import InvalidRequest, TooLarge
+from bnserve_protocol import TooLarge
 from bnserve_protocol.wire import address_of, result_memory
 from bnserve_surrogate.kernel import KernelModel, ModePlan, Workspace, load_assembly
 from bnserve_surrogate.kernel._evaluate import PreparedGrid
 from bnserve_surrogate.kernel._layout import LANES, Argument, Entry, padded
 from bnserve_surrogate.kernel._mode import regressor_scratch
-from bnserve_surrogate.tangents._layout import TANGENTS, row_size
+from bnserve_surrogate.tangents._layout import AXES, TANGENTS, row_size
 
 ASSEMBLY = Path(__file__).with_name("tangents.ll")
 ENTRY_POINT = "bnserve_differentiate"
@@ -41,7 +41,7 @@ def differentiate(
     Parameters
     ----------
     model
-        The (2, 2), whose regressor is a polynomial.
+        The (2, 2).
     grid
         The frequencies.
     parameters
@@ -57,8 +57,6 @@ def differentiate(
 
     Raises
     ------
-    InvalidRequest
-        The regressor is a network.
     TooLarge
         There is no memory for the result.
 
@@ -66,11 +64,6 @@ def differentiate(
     -------
     ``(N, L, 6, M)``: with respect to q, Lambda_1, Lambda_2, chi_1, chi_2 and the total mass.
     """
-    if model.contents[Entry.LAYERS] > 0:
-        raise InvalidRequest(
-            "This model's regressor is a network, whose derivatives are not there: ask a model whose regressor is a "
-            "polynomial, as those of 'default', 'fast' and 'wide' are."
-        )
     rows, modes, points = h.shape
     try:
         out = result_memory.empty((rows, modes, TANGENTS, points), "complex128")
@@ -114,4 +107,5 @@ def _with_tangents(model: KernelModel) -> int:
     """What a regressor takes for its outputs and their derivatives along five axes, and to come by them."""
     outputs = LANES * (LANES + padded(int(model.contents[Entry.OUTPUTS])))
     products = LANES * (10 * (int(model.contents[Entry.DEGREE]) + 1) + int(model.contents[Entry.TERMS]))
-    return 6 * outputs + max(products, outputs, regressor_scratch(model.contents))
+    layers = 2 * (1 + AXES) * LANES * (LANES + padded(int(model.contents[Entry.WIDEST])))
+    return (1 + AXES) * outputs + max(products, layers, outputs, regressor_scratch(model.contents))

@@ -13,6 +13,8 @@ from bnserve_surrogate.kernel._layout import LANES
 
 INTRINSIC = 5
 """Parameters that the regressor sees, the first columns of a ParameterBatch: q, Lambda_1, Lambda_2, chi_1, chi_2."""
+AXES = 5
+"""Coordinates that the regressor sees."""
 TANGENTS = 6
 """Derivatives of a row: with respect to these, and to the total mass."""
 MASS = 5

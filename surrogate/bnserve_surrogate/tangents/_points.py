@@ -13,7 +13,7 @@ from numba import njit
 from numpy.typing import NDArray
 
 from bnserve_surrogate.baseline import FREEZING_END, FREEZING_START
-from bnserve_surrogate.kernel._layout import LANES
+from bnserve_surrogate.kernel._layout import CACHE_LINE, LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
 from bnserve_surrogate.kernel._memory import load, padded, store
 from bnserve_surrogate.kernel._points import step
@@ -22,6 +22,8 @@ from bnserve_surrogate.kernel._writing import put
 
 Floats = NDArray[np.float64]
 
+LINE = CACHE_LINE // 16
+"""Complex numbers."""
 _WIDTH = FREEZING_END - FREEZING_START
 
 
@@ -116,19 +118,25 @@ def split(count: int, h: Floats, real: Floats, imaginary: Floats) -> None:
 
 @njit(**JIT_OPTIONS)
 def write_carrier(
-    count: int, turns: float, h: tuple[Floats, Floats], a: Floats, p: Floats, out: Floats, tail: Floats
+    count: int, turns: float, h: tuple[Floats, Floats], a: Floats, p: Floats, out: Floats, streamed: int, tail: Floats
 ) -> None:
-    """h (d ln A + i turns d phi): the derivative of a mode that is its carrier."""
-    for j in range(0, count, LANES):
+    """h (d ln A + i turns d phi): the derivative of a mode that is its carrier; from place ``streamed`` on past the
+    caches, unless it is negative."""
+    j = 0
+    while j < count:
+        size = min(count - j, LANES)
+        if j < streamed:
+            size = min(size, streamed)
         real, imaginary, along, across = load(h[0], j), load(h[1], j), load(a, j), load(p, j) * turns
         first = fma(real, along, splat(0.0) - imaginary * across)
-        put(out, j, min(count - j, LANES), -1, first, fma(real, across, imaginary * along), tail)
+        put(out, j, size, streamed, first, fma(real, across, imaginary * along), tail)
+        j += size
 
 
 @njit(**JIT_OPTIONS)
 def write_mode(
     count: int, turns: float, rising: float, cut: int, h: tuple[Floats, Floats], a: Floats, p: Floats,
-    carrier: tuple[Floats, Floats], ratio: tuple[Floats, Floats], out: Floats, tail: Floats,
+    carrier: tuple[Floats, Floats], ratio: tuple[Floats, Floats], out: Floats, streamed: int, tail: Floats,
 ) -> None:  # fmt: skip
     """The same of another mode, with what its ratio R adds: its carrier times v^p, times the derivative of R.
 
@@ -137,14 +145,17 @@ def write_mode(
     j = 0
     while j < count:
         size = min(count - j, LANES)
+        if j < streamed:
+            size = min(size, streamed)
         if j < cut:
             size = min(size, cut - j)
+        past = streamed if (j - streamed) % LINE == 0 else -1  # the cut need not be where a line begins
         real, imaginary = load(h[0], j), load(h[1], j)
         along, across = load(a, j) + (rising if j < cut else 0.0), load(p, j) * turns
         c, d, x, y = load(carrier[0], j), load(carrier[1], j), load(ratio[0], j), load(ratio[1], j)
         first = fma(c, x, splat(0.0) - d * y) + fma(real, along, splat(0.0) - imaginary * across)
         second = fma(c, y, d * x) + fma(real, across, imaginary * along)
-        put(out, j, size, -1, first, second, tail)
+        put(out, j, size, past, first, second, tail)
         j += size
 
 

@@ -13,6 +13,7 @@ from bnserve_surrogate.kernel._memory import at, floats_in, load, padded, store
 from bnserve_surrogate.kernel._regression import regress
 from bnserve_surrogate.kernel._simd import fma, splat
 from bnserve_surrogate.tangents._layout import INTRINSIC
+from bnserve_surrogate.tangents._network import add_network
 
 Floats = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -59,15 +60,19 @@ def _along_axes(
     outputs, terms, degree = padded(contents[Entry.OUTPUTS]), contents[Entry.TERMS], contents[Entry.DEGREE]
     width, stride = LANES + outputs, (degree + 1) * LANES
     coefficients = weights[contents[Entry.COEFFICIENTS_AT] :]
-    _chebyshev(coordinates, degree, scratch)
-    products = floats_in(scratch, 10 * stride, ANY)
     for i in range(5 * LANES * width):
         out[i] = 0.0
-    for axis in range(5):
+    if terms > 0:
+        _chebyshev(coordinates, degree, scratch)
+    products = floats_in(scratch, 10 * stride, ANY)
+    for axis in range(5 if terms > 0 else 0):
         _products(terms, axis, stride, exponents, scratch, products)
         for first in range(0, rows, TILE):
             own = floats_in(out, (axis * LANES + first) * width + LANES, ANY)
             multiply(terms, floats_in(products, first, ANY), 1, LANES, coefficients, outputs, own, width)
+    if contents[Entry.LAYERS] > 0:
+        layers = floats_in(weights, contents[Entry.NETWORK_AT], ANY)
+        add_network(coordinates, rows, contents, layers, scratch, out, width)
 
 
 @njit(**JIT_OPTIONS)

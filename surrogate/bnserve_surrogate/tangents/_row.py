@@ -9,7 +9,18 @@ from numba import njit
 from numpy.typing import NDArray
 
 from bnserve_protocol import SOLAR_MASS_SECONDS
-from bnserve_surrogate.kernel._layout import ANY, EDGE, LANES, Argument, Column, Entry, Plan, PlanMode
+from bnserve_surrogate.kernel._layout import (
+    ANY,
+    CACHE_LINE,
+    EDGE,
+    LANES,
+    STREAMED,
+    Argument,
+    Column,
+    Entry,
+    Plan,
+    PlanMode,
+)
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, load, store
 from bnserve_surrogate.kernel._places import locate
@@ -82,12 +93,16 @@ def _order(i: int, order: int, first: int, last: int, whole_mass: float, state: 
 
 @njit(inline="always")
 def _places(i: int, count: int, place: int, p: int, start: int, end: int, state: Row) -> Any:
-    """A block of a mode, and of a derivative of it."""
+    """A block of a mode, and of a derivative of it, with the place from which on that is written past the caches, or
+    -1 if these hold the whole result."""
     points = state.arguments[Argument.POINTS]
     mode = i * count + place
+    address = state.arguments[Argument.SECOND] + 16 * ((mode * TANGENTS + p) * points + start)
+    small = 16 * state.arguments[Argument.ROWS] * count * TANGENTS * points < STREAMED
     return (
         floats_at(state.arguments[Argument.FIRST] + 16 * (mode * points + start), 2 * (end - start)),
-        floats_at(state.arguments[Argument.SECOND] + 16 * ((mode * TANGENTS + p) * points + start), 2 * (end - start)),
+        floats_at(address, 2 * (end - start)),
+        -1 if small or address % 16 != 0 else (-address % CACHE_LINE) // 16,
     )
 
 
@@ -102,11 +117,11 @@ def _carrier(i: int, count: int, place: int, ends: tuple[int, int, int], turns: 
     start, inside, end = ends
     h = (buffer(state.buffers, Buffer.H_REAL), buffer(state.buffers, Buffer.H_IMAGINARY))
     for p in range(TANGENTS):
-        given, out = _places(i, count, place, p, start, end, state)
+        given, out, streamed = _places(i, count, place, p, start, end, state)
         if p == 0:
             split(inside - start, given, h[0], h[1])
         a, phase = buffer(state.buffers, Buffer.A + p), buffer(state.buffers, Buffer.A + TANGENTS + p)
-        write_carrier(inside - start, turns, h, a, phase, out, state.tail)
+        write_carrier(inside - start, turns, h, a, phase, out, streamed, state.tail)
         zeros(inside - start, end - start, out)
 
 
@@ -129,13 +144,13 @@ def _write_mode(i: int, mode: Integers, ends: tuple[int, int, int], mass: float,
     carrier = (buffer(state.buffers, Buffer.BARE), buffer(state.buffers, Buffer.FROZEN))
     cut = _rise(size, cbrt_f, (np.pi * mass) ** (1.0 / 3.0), highest, power, state, carrier)
     for p in range(TANGENTS):
-        given, out = _places(i, count, place, p, start, end, state)
+        given, out, streamed = _places(i, count, place, p, start, end, state)
         if p == 0:
             split(size, given, h[0], h[1])
         fill_ratio_tangent(state, mode, p, start, inside, shift)
         rising = power / (3.0 * state.row[Column.TOTAL_MASS]) if p == MASS else 0.0
         a, phase = buffer(state.buffers, Buffer.A + p), buffer(state.buffers, Buffer.A + TANGENTS + p)
-        write_mode(size, turns, rising, cut, h, a, phase, carrier, ratio, out, state.tail)
+        write_mode(size, turns, rising, cut, h, a, phase, carrier, ratio, out, streamed, state.tail)
         zeros(size, end - start, out)
 
 

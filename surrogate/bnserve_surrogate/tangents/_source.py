@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from bnserve_protocol import RowStatus
 from bnserve_surrogate.kernel._layout import ANY, COLUMNS, LANES, Argument, Column, Entry, Plan, PlanMode
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
-from bnserve_surrogate.kernel._memory import bytes_at, floats_at, floats_in, integers_at, padded
+from bnserve_surrogate.kernel._memory import bytes_at, finish_streams, floats_at, floats_in, integers_at, padded
 from bnserve_surrogate.kernel._regression import fill_coordinates
 from bnserve_surrogate.kernel.modes._synthesis import plan_mode
 from bnserve_surrogate.tangents._coordinates import fill_jacobian
@@ -30,6 +30,7 @@ def differentiate(arguments: Integers) -> int:
     rows = arguments[Argument.ROWS]
     for start in range(0, rows, LANES):
         _tile(start, min(start + LANES, rows), arguments)
+    finish_streams()
     return 0
 
 

@@ -12,7 +12,19 @@ from bnserve_surrogate.kernel import build
 from bnserve_surrogate.kernel._layout import Argument
 from bnserve_surrogate.tangents._call import ASSEMBLY, ENTRY_POINT
 
-_OWN = ("carrier", "coordinates", "layout", "points", "ratio", "regression", "room", "row", "series", "source")
+_OWN = (
+    "carrier",
+    "coordinates",
+    "layout",
+    "network",
+    "points",
+    "ratio",
+    "regression",
+    "room",
+    "row",
+    "series",
+    "source",
+)
 
 
 def sources() -> list[Path]:
