@@ -1,0 +1,224 @@
+"""Forecasts beside sampled posteriors: ``python -m benchmarks.fisher.posteriors``.
+
+Five binaries of signal-to-noise ratio 250 in the triangle of the Einstein Telescope and a Cosmic Explorer of 40 km,
+which the Earth turns, 8,192 s from 5 Hz; the data are the signals, without noise. Each is sampled as ``bnserve
+analyse`` does it (relative binning with the moving response, phase and distance integrated over and drawn again), with Gaussian
+priors of spins and tides, which the forecast has too: without, these run into the ends of their ranges. Printed is by how much the forecast's standard deviations differ from
+the sampled ones. ``--work`` keeps what is finished.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bnserve_inference import (
+    Detector,
+    DetectorData,
+    LikelihoodOptions,
+    likelihood,
+    relative_binning_analysis,
+    simulate_data,
+)
+from bnserve_inference.fisher import ForecastOptions, Network, NoiseCurve, forecast
+from bnserve_posterior.likelihoods import analysis_ranges
+from bnserve_posterior.priors import PriorCube, coordinates_of, priors_of, twins_of
+from bnserve_posterior.sampling import Posterior, Problem, Settings, sample
+from bnserve_protocol import (
+    COORDINATES,
+    LIKELIHOOD_NAMES,
+    DistanceMarginalisation,
+    LikelihoodBatch,
+    LikelihoodParameters,
+)
+from bnserve_surrogate import Model
+
+Floats = NDArray[np.float64]
+
+NAMES, CURVES = ("E1", "E2", "E3", "CE40"), ("ET-D", "ET-D", "ET-D", "CE40")
+TRIGGER, DURATION, F_MIN, F_MAX = 1187008882.43, 8192.0, 5.0, 1024.0
+START = TRIGGER - DURATION + 2.0
+MODES = ((2, 2),)
+SNR = 250.0
+PRIORS = {"chi_1": 0.02, "chi_2": 0.02, "lambda_1": 400.0, "lambda_2": 400.0}
+"""Widths of Gaussian priors."""
+PHASE_AT = 50.0
+"""Hz; the reference frequency of forecasts."""
+BINARIES, SEED = 5, 250
+BOUNDS = {
+    "mass_ratio": (1.5, 2.0), "lambda_1": (1200.0, 1800.0), "lambda_2": (2000.0, 3000.0), "chi_1": (-0.05, 0.05),
+    "chi_2": (-0.05, 0.05), "total_mass": (2.7, 3.1), "inclination": (0.8, 1.3), "right_ascension": (0.5, 5.5),
+    "declination": (-1.0, 1.0), "polarization_angle": (0.4, 1.2), "coalescence_time": (-0.01, 0.01),
+    "reference_phase": (1.0, 5.0),
+}  # fmt: skip
+"""Away from equal masses, tides of zero and face-on orbits, where posteriors have edges and no Gaussian shape."""
+OPTIONS = ForecastOptions(
+    coordinates=(
+        "log_chirp_mass", "log_mass_ratio", "lambda_1", "lambda_2", "chi_1", "chi_2", "log_distance", "inclination",
+        "reference_phase", "coalescence_time",
+    ),
+    priors=PRIORS, modes=MODES, reference_frequency=PHASE_AT,
+)  # fmt: skip
+SHOWN = (*OPTIONS.names, "lambda_tilde")
+SETTINGS = Settings(particles=1000, effective=4000)
+
+
+class Observed(NamedTuple):
+    """A binary, its data, and the forecast's standard deviations by coordinate."""
+
+    truth: LikelihoodParameters
+    data: list[DetectorData]
+    predicted: dict[str, float]
+
+
+def network() -> Network:
+    """The detectors with their noise."""
+    return Network(NAMES, [NoiseCurve.named(name) for name in CURVES], F_MIN, F_MAX, TRIGGER)
+
+
+def observed(model: Model, number: int) -> Observed:
+    """A seeded binary at the distance that makes it as loud as it is to be."""
+    random = np.random.default_rng([SEED, number])
+    values: dict[str, Any] = {name: float(random.uniform(*ends)) for name, ends in BOUNDS.items()}
+    values["distance_mpc"] = 100.0
+    near = forecast(model, network(), LikelihoodBatch.coerce(LikelihoodParameters(**values)), OPTIONS)
+    values["distance_mpc"] *= float(near.snr[0]) / SNR
+    truth = LikelihoodParameters(**values)
+    found = forecast(model, network(), LikelihoodBatch.coerce(truth), OPTIONS)
+    f = np.arange(round(F_MAX * DURATION) + 1) / DURATION
+    data = simulate_data(
+        NAMES, [_asd(name, f) for name in CURVES], model=model, parameters=truth, trigger_time=TRIGGER,
+        start_time=START, duration=DURATION, seed=None, f_min=F_MIN, modes=MODES, response="moving",
+        reference_frequency=PHASE_AT,
+    )  # fmt: skip
+    predicted = {name: float(sigma[0]) for name, sigma in found.errors().items()}
+    return Observed(truth, data, predicted | {"lambda_tilde": _tidal_error(found.covariance[0], truth)})
+
+
+def _tidal_error(covariance: Floats, truth: LikelihoodParameters) -> float:
+    """Of the reduced tide, by its derivatives."""
+    slopes = np.zeros(len(OPTIONS.names))
+    for name in ("mass_ratio", "lambda_1", "lambda_2"):
+        values = {each: complex(getattr(truth, each)) for each in ("mass_ratio", "lambda_1", "lambda_2")}
+        values[name] += 1e-30j
+        place = OPTIONS.names.index("log_mass_ratio" if name == "mass_ratio" else name)
+        scale = truth.mass_ratio if name == "mass_ratio" else 1.0
+        slopes[place] = scale * COORDINATES["lambda_tilde"](values).imag / 1e-30
+    return float(np.sqrt(slopes @ covariance @ slopes))
+
+
+def _asd(name: str, f: Floats) -> Floats:
+    asd = np.full(len(f), np.inf)
+    asd[1:] = NoiseCurve.named(name).at(f[1:])
+    return asd
+
+
+def cube_of(truth: LikelihoodParameters) -> PriorCube:
+    """Flat about the binary but for spins, tides, orientation and place."""
+    q = truth.mass_ratio
+    chirp_mass = truth.total_mass * (q / (1.0 + q) ** 2) ** 0.6
+    ends = {"chi": "minimum=-0.2, maximum=0.2", "lambda": "minimum=0, maximum=5000"}
+    normal = {
+        name: f"TruncatedGaussian(mu={getattr(truth, name)!r}, sigma={width}, {ends[name.split('_')[0]]})"
+        for name, width in PRIORS.items()
+    }
+    given: dict[str, Any] = {
+        "chirp_mass": (chirp_mass - 5e-5, chirp_mass + 5e-5),
+        "mass_ratio": (0.35, 0.95),
+        **normal,
+        "luminosity_distance": (0.5 * truth.distance_mpc, 2.0 * truth.distance_mpc),
+    }
+    priors, _ = priors_of(given, TRIGGER)
+    return PriorCube(priors, TRIGGER, ("phase", "luminosity_distance"), quadrupole=True)
+
+
+def sampled(model: Model, seen: Observed, settings: Settings) -> tuple[Posterior, dict[str, Floats]]:
+    """The posterior, and the coordinates of its samples."""
+    truth, cube = seen.truth, cube_of(seen.truth)
+    distance = DistanceMarginalisation(minimum=0.5 * truth.distance_mpc, maximum=2.0 * truth.distance_mpc, power=0.0)
+    analysis = relative_binning_analysis(
+        seen.data, trigger_time=TRIGGER, f_min=F_MIN, f_max=F_MAX, model=model,
+        fiducial=LikelihoodBatch.coerce(truth).waveform_batch(),
+        options=LikelihoodOptions(
+            prior=analysis_ranges(cube, model.description), phase_marginalisation=True,
+            distance_marginalisation=distance, modes=MODES, response="moving", reference_frequency=PHASE_AT,
+        ),
+    )  # fmt: skip
+    bound = likelihood(model, analysis)
+
+    def batch_of(u: Floats) -> LikelihoodBatch:
+        return cube.batch({**cube(u), "luminosity_distance": np.ones(len(u))})
+
+    sites = [Detector.named(name) for name in NAMES]
+    problem = Problem(
+        lambda u: bound.log_likelihood(batch_of(u)), len(cube), coordinates_of(cube, sites), cube.periodic(),
+        twins_of(cube, sites),
+    )  # fmt: skip
+    found = sample(problem, settings, progress=lambda now: print(*now, file=sys.stderr, flush=True))
+    batch = batch_of(found.points)
+    values = {name: np.asarray(batch[name]) for name in LIKELIHOOD_NAMES}
+    values |= bound.draw_marginalised(batch, seed=settings.seed).parameters
+    turned = np.mod(values["reference_phase"] - truth.reference_phase + np.pi, 2.0 * np.pi) - np.pi
+    values["reference_phase"] = truth.reference_phase + turned
+    values["time_shift"] = values["coalescence_time"]
+    return found, {name: COORDINATES.get(name, lambda p, name=name: p[name])(values) for name in SHOWN}
+
+
+def compared(model: Model, number: int, settings: Settings) -> dict[str, Any]:
+    """One binary: the forecast's standard deviations, the sampled ones and their skewness, by coordinate."""
+    started = time.perf_counter()
+    seen = observed(model, number)
+    found, values = sampled(model, seen, replace(settings, seed=number + 1))
+    result: dict[str, Any] = {"binary": number, "predicted": seen.predicted, "sampled": {}, "skewness": {}}
+    for name, column in values.items():
+        centre = float(found.weights @ column)
+        sigma = float(np.sqrt(found.weights @ (column - centre) ** 2))
+        result["sampled"][name] = sigma
+        result["skewness"][name] = round(float(found.weights @ ((column - centre) / sigma) ** 3), 3)
+    return result | {
+        "effective": round(found.effective, 1), "k_hat": round(found.k_hat, 2), "calls": found.likelihoods,
+        "seconds": round(time.perf_counter() - started, 1),
+    }  # fmt: skip
+
+
+def table(results: list[dict[str, Any]]) -> str:
+    """Rows of coordinates: the forecast over what was sampled, less one, in each binary, and the largest skewness."""
+    heads = " | ".join(str(result["binary"] + 1) for result in results)
+    lines = [f"| | {heads} | largest skewness |", "|" + "---|" * (len(results) + 2)]
+    for name in SHOWN:
+        ratios = [100.0 * (result["predicted"][name] / result["sampled"][name] - 1.0) for result in results]
+        skewness = max((result["skewness"][name] for result in results), key=abs)
+        lines.append(f"| {name} | {' | '.join(f'{ratio:+.1f} %' for ratio in ratios)} | {skewness:+.2f} |")
+    return "\n".join(lines)
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Sample what is missing, and print the table; returns the exit status."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.fisher.posteriors", description=__doc__)
+    parser.add_argument("--work", type=Path, default=Path("runs/fisher"), help="finished binaries (runs/fisher)")
+    parser.add_argument("--binaries", type=int, default=BINARIES, help=f"({BINARIES})")
+    parser.add_argument("--particles", type=int, default=SETTINGS.particles, help=f"({SETTINGS.particles})")
+    parser.add_argument("--effective", type=int, default=SETTINGS.effective, help=f"({SETTINGS.effective})")
+    options = parser.parse_args(arguments)
+    options.work.mkdir(parents=True, exist_ok=True)
+    path, model = options.work / "posteriors.jsonl", Model.default()
+    results = [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
+    settings = replace(SETTINGS, particles=options.particles, effective=options.effective)
+    for number in sorted(set(range(options.binaries)) - {result["binary"] for result in results}):
+        results.append(compared(model, number, settings))
+        with path.open("a") as file:
+            file.write(json.dumps(results[-1]) + "\n")
+    print(table(sorted(results, key=lambda result: int(result["binary"]))))
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
