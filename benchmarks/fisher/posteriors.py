@@ -2,9 +2,10 @@
 
 Five binaries of signal-to-noise ratio 250 in the triangle of the Einstein Telescope and a Cosmic Explorer of 40 km,
 which the Earth turns, 8,192 s from 5 Hz; the data are the signals, without noise. Each is sampled as ``bnserve
-analyse`` does it (relative binning with the moving response, phase and distance integrated over and drawn again), with Gaussian
-priors of spins and tides, which the forecast has too: without, these run into the ends of their ranges. Printed is by how much the forecast's standard deviations differ from
-the sampled ones. ``--work`` keeps what is finished.
+analyse`` does it (relative binning with the moving response, phase and distance integrated over and drawn again), with
+Gaussian priors of spins and tides, which the forecast has too: without, these run into the ends of their ranges.
+Printed is by how much the forecast's standard deviations differ from the sampled ones. ``--work`` keeps what is
+finished.
 """
 
 from __future__ import annotations

@@ -4,7 +4,7 @@ import numpy as np
 
 from benchmarks.gw170817 import coordinates, priors
 from benchmarks.gw170817.setting import TRIGGER
-from benchmarks.pp import trial
+from benchmarks.pp import trial, turning
 from bnserve_inference import Detector, sidereal_time, time_delay
 
 
@@ -49,6 +49,18 @@ def test_a_seed_is_a_binary():
     assert first[1] == again[1] != other[1]
     np.testing.assert_array_equal(first[0], again[0])
     assert trial.DISTANCES[0] <= first[1].distance_mpc <= trial.DISTANCES[1]
+
+
+def test_a_seed_is_a_binary_anywhere_in_the_sky_of_the_einstein_telescope():
+    first, again, other = turning.draw(1), turning.draw(1), turning.draw(2)
+    assert first.truth == again.truth != other.truth
+    values = first.cube(first.u[None])
+    assert values["theta_jn"][0] == first.truth.inclination
+    assert values["psi"][0] == first.truth.polarization_angle
+    heights = [np.sin(turning.draw(seed).truth.declination) for seed in range(40)]
+    assert min(heights) < -0.7
+    assert max(heights) > 0.7
+    assert turning.DISTANCES[0] <= first.truth.distance_mpc <= turning.DISTANCES[1]
 
 
 def test_coordinates_of_a_binary_can_be_undone_and_know_their_volume():
