@@ -72,12 +72,11 @@ SHOWN = (*OPTIONS.names, "lambda_tilde")
 SETTINGS = Settings(particles=1000, effective=4000)
 
 
-class Observed(NamedTuple):
-    """A binary, its data, and the forecast's standard deviations by coordinate."""
+class Predicted(NamedTuple):
+    """A binary, and the forecast's standard deviations by coordinate."""
 
     truth: LikelihoodParameters
-    data: list[DetectorData]
-    predicted: dict[str, float]
+    errors: dict[str, float]
 
 
 def network() -> Network:
@@ -85,8 +84,8 @@ def network() -> Network:
     return Network(NAMES, [NoiseCurve.named(name) for name in CURVES], F_MIN, F_MAX, TRIGGER)
 
 
-def observed(model: Model, number: int) -> Observed:
-    """A seeded binary at the distance that makes it as loud as it is to be."""
+def predicted(model: Model, number: int) -> Predicted:
+    """A seeded binary at the distance that makes it as loud as it is to be, and its forecast."""
     random = np.random.default_rng([SEED, number])
     values: dict[str, Any] = {name: float(random.uniform(*ends)) for name, ends in BOUNDS.items()}
     values["distance_mpc"] = 100.0
@@ -94,14 +93,8 @@ def observed(model: Model, number: int) -> Observed:
     values["distance_mpc"] *= float(near.snr[0]) / SNR
     truth = LikelihoodParameters(**values)
     found = forecast(model, network(), LikelihoodBatch.coerce(truth), OPTIONS)
-    f = np.arange(round(F_MAX * DURATION) + 1) / DURATION
-    data = simulate_data(
-        NAMES, [_asd(name, f) for name in CURVES], model=model, parameters=truth, trigger_time=TRIGGER,
-        start_time=START, duration=DURATION, seed=None, f_min=F_MIN, modes=MODES, response="moving",
-        reference_frequency=PHASE_AT,
-    )  # fmt: skip
-    predicted = {name: float(sigma[0]) for name, sigma in found.errors().items()}
-    return Observed(truth, data, predicted | {"lambda_tilde": _tidal_error(found.covariance[0], truth)})
+    errors = {name: float(sigma[0]) for name, sigma in found.errors().items()}
+    return Predicted(truth, errors | {"lambda_tilde": _tidal_error(found.covariance[0], truth)})
 
 
 def _tidal_error(covariance: Floats, truth: LikelihoodParameters) -> float:
@@ -114,6 +107,16 @@ def _tidal_error(covariance: Floats, truth: LikelihoodParameters) -> float:
         scale = truth.mass_ratio if name == "mass_ratio" else 1.0
         slopes[place] = scale * COORDINATES["lambda_tilde"](values).imag / 1e-30
     return float(np.sqrt(slopes @ covariance @ slopes))
+
+
+def observed(model: Model, truth: LikelihoodParameters) -> list[DetectorData]:
+    """The signal in all detectors, without noise."""
+    f = np.arange(round(F_MAX * DURATION) + 1) / DURATION
+    return simulate_data(
+        NAMES, [_asd(name, f) for name in CURVES], model=model, parameters=truth, trigger_time=TRIGGER,
+        start_time=START, duration=DURATION, seed=None, f_min=F_MIN, modes=MODES, response="moving",
+        reference_frequency=PHASE_AT,
+    )  # fmt: skip
 
 
 def _asd(name: str, f: Floats) -> Floats:
@@ -141,12 +144,12 @@ def cube_of(truth: LikelihoodParameters) -> PriorCube:
     return PriorCube(priors, TRIGGER, ("phase", "luminosity_distance"), quadrupole=True)
 
 
-def sampled(model: Model, seen: Observed, settings: Settings) -> tuple[Posterior, dict[str, Floats]]:
+def sampled(model: Model, truth: LikelihoodParameters, settings: Settings) -> tuple[Posterior, dict[str, Floats]]:
     """The posterior, and the coordinates of its samples."""
-    truth, cube = seen.truth, cube_of(seen.truth)
+    cube = cube_of(truth)
     distance = DistanceMarginalisation(minimum=0.5 * truth.distance_mpc, maximum=2.0 * truth.distance_mpc, power=0.0)
     analysis = relative_binning_analysis(
-        seen.data, trigger_time=TRIGGER, f_min=F_MIN, f_max=F_MAX, model=model,
+        observed(model, truth), trigger_time=TRIGGER, f_min=F_MIN, f_max=F_MAX, model=model,
         fiducial=LikelihoodBatch.coerce(truth).waveform_batch(),
         options=LikelihoodOptions(
             prior=analysis_ranges(cube, model.description), phase_marginalisation=True,
@@ -176,9 +179,9 @@ def sampled(model: Model, seen: Observed, settings: Settings) -> tuple[Posterior
 def compared(model: Model, number: int, settings: Settings) -> dict[str, Any]:
     """One binary: the forecast's standard deviations, the sampled ones and their skewness, by coordinate."""
     started = time.perf_counter()
-    seen = observed(model, number)
-    found, values = sampled(model, seen, replace(settings, seed=number + 1))
-    result: dict[str, Any] = {"binary": number, "predicted": seen.predicted, "sampled": {}, "skewness": {}}
+    seen = predicted(model, number)
+    found, values = sampled(model, seen.truth, replace(settings, seed=number + 1))
+    result: dict[str, Any] = {"binary": number, "predicted": seen.errors, "sampled": {}, "skewness": {}}
     for name, column in values.items():
         centre = float(found.weights @ column)
         sigma = float(np.sqrt(found.weights @ (column - centre) ** 2))
