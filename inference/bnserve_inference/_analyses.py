@@ -18,7 +18,7 @@ from bnserve_inference._modes import QUADRUPOLE, chosen_modes, known_modes, orde
 from bnserve_inference._passing import reference_times
 from bnserve_inference._rows import chirp_mass
 from bnserve_inference._search import Box, middle, refuse_missing_ranges, usual_masses
-from bnserve_inference._standing import chosen_response
+from bnserve_inference._standing import may_stand, static_error
 from bnserve_inference._units import in_units
 from bnserve_inference._weights import time_table
 from bnserve_protocol import (
@@ -28,6 +28,7 @@ from bnserve_protocol import (
     BatchLike,
     FieldError,
     ParameterBatch,
+    Response,
     WaveformModel,
 )
 
@@ -198,13 +199,20 @@ def relative_binning_analysis(
     basis = FiducialBasis.build(band.grid, one, model, phase_tolerance, alignment, followed)
     fitting = Fitting(band, model, alignment, options, one, modes)
     weighted = fitted_bins(fitting, basis)
+    if options.response == "moving":
+        return _reduced("relative_binning", weighted, fitting, None)
+    error = static_error(fitting, weighted)
     if options.response == "auto":
-        fitting = replace(fitting, options=replace(options, response=chosen_response(fitting, weighted)))
-    return _reduced("relative_binning", weighted, fitting, None)
+        chosen: Response = "static" if may_stand(error, options.error_bound) else "moving"
+        fitting = replace(fitting, options=replace(options, response=chosen))
+    return _reduced("relative_binning", weighted, fitting, None, error)
 
 
-def _reduced(kind: AnalysisKind, weighted: Weighted, fitting: Fitting, model_digest: str | None) -> Analysis:
-    """The analysis of a basis with its sums; ``fitting.fiducial`` is a typical binary, or None."""
+def _reduced(
+    kind: AnalysisKind, weighted: Weighted, fitting: Fitting, model_digest: str | None, error: float | None = None
+) -> Analysis:
+    """The analysis of a basis with its sums; ``fitting.fiducial`` is a typical binary, or None, and ``error`` that of
+    detectors that stand still."""
     basis, quadratic, band = weighted.basis, weighted.quadratic, fitting.band
     grid, table, _ = time_table(weighted.weights, _amplitudes(weighted, fitting), TIME_TOLERANCE)
     if quadratic.ndim == 3 and quadratic.shape[1] == 1:  # modes of one order have the weights of one mode
@@ -215,7 +223,7 @@ def _reduced(kind: AnalysisKind, weighted: Weighted, fitting: Fitting, model_dig
         phases, times = reference_times(fitting.model, basis)
         arrays |= {"reference_phases": phases, "reference_times": times}
     settings = band.settings(kind, fitting.alignment, fitting.options, grid, model_digest)
-    return Analysis(settings=settings, arrays=arrays)
+    return Analysis(settings=settings, arrays=arrays, static_error=error)
 
 
 def _amplitudes(weighted: Weighted, fitting: Fitting) -> NDArray[np.float64]:

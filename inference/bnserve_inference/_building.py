@@ -90,7 +90,8 @@ class LikelihoodOptions:
         ``"static"``: antenna patterns and delays are those at the coalescence. ``"moving"``: those at the time at which
         each mode passes each frequency, as signals of minutes and hours need. ``"auto"``: static where that is checked
         to be right to a part of ``error_bound``, and moving otherwise; on the full grid always moving. What an analysis
-        has is ``settings.response``.
+        has is ``settings.response``, and of relative binning, unless it was told to be moving, ``static_error`` says by
+        how much ln L of detectors that stand still may be wrong: look at it where a signal lasts for minutes.
     reference_frequency
         Hz; where ``reference_phase`` is twice the orbital phase, as LAL's and bilby's: samples may then have bilby's
         ``phase``. None: it is added to the phase of the alignment.

@@ -13,7 +13,6 @@ from bnserve_inference._fitting import RELEVANT, Fitting, Weighted
 from bnserve_inference._modes import QUADRUPOLE
 from bnserve_inference._passing import reference_times
 from bnserve_inference._response import delays, patterns
-from bnserve_protocol import Response
 
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
@@ -24,9 +23,9 @@ _PLACES = 64
 """In the sky, from which the fiducial binary is seen."""
 
 
-def chosen_response(fitting: Fitting, weighted: Weighted) -> Response:
-    """``"static"`` where that is right to a part of the bound of errors, and ``"moving"`` otherwise."""
-    return "static" if static_error(fitting, weighted) <= _SHARE * fitting.options.error_bound else "moving"
+def may_stand(error: float, bound: float) -> bool:
+    """Whether detectors that stand are right to their part of the bound of errors."""
+    return error <= _SHARE * bound
 
 
 def static_error(fitting: Fitting, weighted: Weighted) -> float:

@@ -53,6 +53,9 @@ class Analysis:
         ``reference_times`` (seconds from ``coalescence_time``); linear and quadratic nodes are the same then. A
         detector may have ``arms/X`` ``(2, 3)``, the vectors of its arms in metres in the Earth-fixed frame, which then
         make its response; without, its arms are short.
+    static_error
+        By how much ln L of detectors that stand still may be wrong, where the builder looked; None where it did not.
+        Whoever builds an analysis is told; it is no part of the analysis, and does not travel.
 
     Raises
     ------
@@ -62,6 +65,7 @@ class Analysis:
 
     settings: AnalysisSettings
     arrays: Mapping[str, NDArray[Any]]
+    static_error: float | None = field(default=None, repr=False, compare=False)
     digest: str = field(init=False)
     samples: int = field(init=False, repr=False, compare=False)
     """Work of one log-likelihood, see :func:`likelihood_samples`."""
@@ -80,7 +84,7 @@ class Analysis:
         object.__setattr__(self, "samples", _samples(self))
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return Analysis, (self.settings, dict(self.arrays))
+        return Analysis, (self.settings, dict(self.arrays), self.static_error)
 
     @property
     def nbytes(self) -> int:

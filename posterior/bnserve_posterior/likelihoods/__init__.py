@@ -1,7 +1,7 @@
 """The likelihood of an event over its prior: the cheapest that is exact enough."""
 
 from bnserve_posterior.likelihoods._building import Choice, build_likelihood, full_likelihood
-from bnserve_posterior.likelihoods._doubts import model_doubts
+from bnserve_posterior.likelihoods._doubts import model_doubts, response_doubts
 from bnserve_posterior.likelihoods._marginalised import integrated_names, marginalised_distance
 from bnserve_posterior.likelihoods._ranges import analysis_ranges
 
@@ -13,4 +13,5 @@ __all__ = [
     "integrated_names",
     "marginalised_distance",
     "model_doubts",
+    "response_doubts",
 ]

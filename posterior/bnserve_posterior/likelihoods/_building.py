@@ -34,10 +34,12 @@ QUADRUPOLE = ((2, 2),)
 
 
 class Choice(NamedTuple):
-    """The analysis that is sampled, and why it is this one, a sentence each."""
+    """The analysis that is sampled; why it is this one, a sentence each; and by how much ln L of detectors that stand
+    still may be wrong, None where that was not looked at."""
 
     analysis: Analysis
     facts: list[str]
+    static_error: float | None = None
 
 
 def build_likelihood(event: Event, data: EventData, cube: PriorCube, model: WaveformModel) -> Choice:
@@ -67,7 +69,9 @@ def build_likelihood(event: Event, data: EventData, cube: PriorCube, model: Wave
         return Choice(analysis, [f"Likelihood: reduced-order quadrature, {event.likelihood.basis}."])
     if kind == "relative_binning":
         analysis = _binned(event, data, cube, model, options)
-        return Choice(analysis, [f"Likelihood: relative binning, {_said(event, analysis)}."])
+        return Choice(
+            analysis, [f"Likelihood: relative binning, {_said(event, analysis, analysis)}."], analysis.static_error
+        )
     return _cheapest(event, data, cube, model, options)
 
 
@@ -86,20 +90,24 @@ def _cheapest(
     for name in bases if still else ():
         try:
             found = _quadrature(event, data.detectors, _basis(name), model, options)
-            return Choice(found, [*facts, f"Likelihood: reduced-order quadrature {name}, {_said(event, found)}."])
+            said = f"Likelihood: reduced-order quadrature {name}, {_said(event, found, binned)}."
+            return Choice(found, [*facts, said], None if binned is None else binned.static_error)
         except AnalysisInvalid as error:
             facts.append(f"Not the quadrature {name}: {error}")
     if binned is not None:
-        nodes = len(binned.linear_nodes)
-        return Choice(binned, [*facts, f"Likelihood: relative binning, {nodes} nodes, {_said(event, binned)}."])
+        said = f"Likelihood: relative binning, {len(binned.linear_nodes)} nodes, {_said(event, binned, binned)}."
+        return Choice(binned, [*facts, said], binned.static_error)
     full = full_likelihood(event, data, cube, model)
     return Choice(full, [*facts, "Likelihood: the full grid, because nothing cheaper is within the bound."])
 
 
-def _said(event: Event, analysis: Analysis) -> str:
-    """What is promised of an analysis, and how its detectors move."""
+def _said(event: Event, analysis: Analysis, binned: Analysis | None) -> str:
+    """What is promised of an analysis, how its detectors move, and why, which relative binning knows."""
     moves = "turn with the Earth" if analysis.settings.response == "moving" else "stand still"
-    return f"held to {event.likelihood.error_bound:g} in ln L all over the prior, of detectors that {moves}"
+    said = f"held to {event.likelihood.error_bound:g} in ln L all over the prior, of detectors that {moves}"
+    if binned is None or binned.static_error is None:
+        return said
+    return f"{said} (standing still, ln L would be wrong by up to {binned.static_error:.2g})"
 
 
 def full_likelihood(event: Event, data: EventData, cube: PriorCube, model: WaveformModel) -> Analysis:

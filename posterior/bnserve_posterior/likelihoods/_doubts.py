@@ -1,4 +1,4 @@
-"""What is doubtful about a prior and a model together."""
+"""What is doubtful about a prior and a model together, and about detectors that stand still."""
 
 from __future__ import annotations
 
@@ -6,7 +6,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from bnserve_posterior.events import DataSection
+from bnserve_posterior.events import DataSection, Event
+from bnserve_posterior.likelihoods._building import Choice
 from bnserve_posterior.likelihoods._ranges import trained_ranges
 from bnserve_posterior.priors import PriorCube
 from bnserve_protocol import SOLAR_MASS_SECONDS, ModelDescription
@@ -19,6 +20,21 @@ _HEAVIEST = 3.0
 def model_doubts(cube: PriorCube, model: ModelDescription, band: DataSection) -> list[str]:
     """A sentence for each way in which a prior or a band is beyond a model."""
     return list(_doubts(cube, model, band))
+
+
+def response_doubts(event: Event, choice: Choice) -> list[str]:
+    """A sentence where detectors were told to stand still and that is wrong, or was not looked at."""
+    error, bound = choice.static_error, event.likelihood.error_bound
+    if event.likelihood.response == "auto" or choice.analysis.settings.response == "moving":
+        return []
+    if error is None:
+        return ["Detectors stand still, as asked for: by how much that is wrong in ln L was not looked at."]
+    if error <= bound:
+        return []
+    return [
+        f"Detectors stand still, as asked for: ln L may be wrong by {error:.2g}, where {bound:g} is allowed. Leave out "
+        "'response', or say \"moving\"."
+    ]
 
 
 def _doubts(cube: PriorCube, model: ModelDescription, band: DataSection) -> Iterator[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -35,6 +36,8 @@ _WINDOW = 0.12
 _AFTER = 0.02
 _BAND = (30.0, 400.0)
 """Hz of whitened data that are shown: where signals of neutron stars are, and most of the noise is not."""
+_LASTS = 128.0
+"""Seconds; no signal of two neutron stars is longer from the lowest of these frequencies on."""
 _CURVES = 20
 """Samples whose signals are shown."""
 _NEEDED = "The page of a run", "analyse"
@@ -96,18 +99,31 @@ def data_figure(outcome: Outcome) -> Any:
     figure = require("matplotlib.figure", *_NEEDED).Figure(figsize=(9.0, 2.4 * len(detectors)), layout="constrained")
     axes = figure.subplots(len(detectors), 1, squeeze=False, sharex=True)[:, 0]
     for axis, data in zip(axes, detectors, strict=True):
-        times, noise = whitened(data, data.strain)
-        signals = [whitened(data, signal)[1] for signal in _signals(outcome, data)]
-        peak = times[int(np.argmax(np.abs(signals[0])))]
-        near = (times > peak - _WINDOW) & (times < peak + _AFTER)
-        axis.plot(times[near] - peak, noise[near], color=_GREY, lw=0.8, label="data")
-        for place, signal in enumerate(signals):
-            label = "signals of the posterior" if place == 0 else None
-            axis.plot(times[near] - peak, signal[near], color=_BLUE, lw=1.0, alpha=0.4, label=label)
+        end = last_seconds(data)
+        signals = [whitened(end, signal) for signal in _signals(outcome, end)]
+        late = end.start_time - data.start_time
+        peak = late + signals[0][0][int(np.argmax(np.abs(signals[0][1])))]
+        for place, (times, values) in enumerate([whitened(data, data.strain), *signals]):
+            since = times - peak + (late if place else 0.0)
+            near = (since > -_WINDOW) & (since < _AFTER)
+            if place == 0:
+                axis.plot(since[near], values[near], color=_GREY, lw=0.8, label="data")
+            else:
+                label = "signals of the posterior" if place == 1 else None
+                axis.plot(since[near], values[near], color=_BLUE, lw=1.0, alpha=0.4, label=label)
         axis.set_ylabel(f"{data.name} [sigma]")
     axes[0].legend(loc="upper left")
     axes[-1].set_xlabel("time to the largest amplitude at the detector [s]")
     return figure
+
+
+def last_seconds(data: DetectorData) -> DetectorData:
+    """A grid for signals at the end of long data: of fewer frequencies, with the data's samples and no strain."""
+    steps, most = len(data.asd) - 1, int(data.duration / _LASTS)
+    stride = next(one for one in range(max(1, most), 0, -1) if steps % one == 0)
+    asd, duration = data.asd[::stride], data.duration / stride
+    start = data.start_time + data.duration - duration
+    return replace(data, strain=np.zeros(len(asd), dtype=np.complex128), asd=asd, start_time=start, duration=duration)
 
 
 def whitened(data: DetectorData, strain: NDArray[np.complex128]) -> tuple[Floats, Floats]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import time
 from collections.abc import Callable
@@ -12,13 +13,20 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference import likelihood
+from bnserve_inference import LocalLikelihood, likelihood
 from bnserve_posterior.data import EventData, load_data
 from bnserve_posterior.events import Event
-from bnserve_posterior.likelihoods import build_likelihood, full_likelihood, integrated_names, model_doubts
+from bnserve_posterior.likelihoods import (
+    build_likelihood,
+    full_likelihood,
+    integrated_names,
+    model_doubts,
+    response_doubts,
+)
 from bnserve_posterior.priors import PriorCube, coordinates_of, priors_of, twins_of
 from bnserve_posterior.results import FullCheck, Samples, check_with_full, samples_of_posterior
 from bnserve_posterior.running._folder import Folder
+from bnserve_posterior.running._threads import Evaluate, in_threads
 from bnserve_posterior.sampling import Posterior, Problem, Progress, Settings, sample
 from bnserve_protocol import Analysis, Likelihood, Mode, WaveformModel, __version__
 
@@ -26,10 +34,10 @@ Floats = NDArray[np.float64]
 Say = Callable[[str], None]
 Report = Callable[[Progress], None]
 
-_MOST_FULL = 2**24
-"""Points of the full grid in all detectors, beyond which it is not evaluated: a gigabyte of strain."""
-_MOST_WORK = 2**30
-"""Samples of work for all checks together: some ten seconds."""
+_MOST_FULL = 2**25
+"""Points of the full grid in all detectors, beyond which it is not evaluated: a gigabyte of strain and weights."""
+_MOST_WORK, _FEWEST_CHECKS = 2**30, 8
+"""Samples of work for all checks together, some ten seconds; and so many are looked at where one takes as long."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,6 +52,8 @@ class Prepared:
         Of the event, and the likelihood with the model.
     facts, doubts
         What was decided, and what is doubtful, a sentence each.
+    static_error
+        By how much ln L of detectors that stand still may be wrong; None where that was not looked at.
     """
 
     event: Event
@@ -56,15 +66,19 @@ class Prepared:
     bound: Likelihood
     facts: list[str]
     doubts: list[str]
+    static_error: float | None = None
 
-    def log_likelihood(self, u: Floats) -> Floats:
-        """At points of the unit cube ``(N, D)``, ``(N,)``; -inf where the prior's constraints forbid."""
+    def log_likelihood(self, u: Floats, evaluate: Evaluate | None = None) -> Floats:
+        """At points of the unit cube ``(N, D)``, ``(N,)``; -inf where the prior's constraints forbid.
+
+        ``evaluate`` takes the place of the likelihood, and gives the same values.
+        """
         values = self.cube(u)
         result = np.full(len(u), -np.inf)
         some = np.flatnonzero(self.cube.allowed(values))
         if len(some):
             batch = self.cube.batch({name: column[some] for name, column in values.items()})
-            result[some] = self.bound.log_likelihood(batch)
+            result[some] = (evaluate or self.bound.log_likelihood)(batch)
         return result
 
     def try_likelihood(self, draws: int = 1000) -> dict[str, Any]:
@@ -80,12 +94,12 @@ class Prepared:
             "microseconds": 1e6 * (time.perf_counter() - started) / draws,
         }
 
-    def problem(self) -> Problem:
-        """What is sampled."""
+    def problem(self, evaluate: Evaluate | None = None) -> Problem:
+        """What is sampled; ``evaluate`` is as of :meth:`log_likelihood`."""
         sites = [one.site() for one in self.data.detectors]
         coordinates = coordinates_of(self.cube, sites)
-        twins = twins_of(self.cube, sites)
-        return Problem(self.log_likelihood, len(self.cube), coordinates, self.cube.periodic(), twins)
+        log_likelihood = functools.partial(self.log_likelihood, evaluate=evaluate)
+        return Problem(log_likelihood, len(self.cube), coordinates, self.cube.periodic(), twins_of(self.cube, sites))
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,19 +142,28 @@ def prepare(event: Event, model: WaveformModel, folder: Folder) -> Prepared:
     cube = PriorCube(priors, event.data.trigger_time, integrated, quadrupole)
     data = load_data(event, model, section.modes)
     folder.claim(_fingerprint(event, data, model))
-    doubts = [*data.doubts, *model_doubts(cube, model.description, event.data)]
     kept = folder.analysis()
     if kept is None:
         kept = build_likelihood(event, data, cube, model)
         folder.keep_analysis(kept)
+    doubts = [*data.doubts, *model_doubts(cube, model.description, event.data), *response_doubts(event, kept)]
     return Prepared(
         event, model, priors, cube, integrated, data, kept.analysis, likelihood(model, kept.analysis),
-        [*data.facts, *remarks, *kept.facts], doubts,
+        [*data.facts, *remarks, *kept.facts], doubts, kept.static_error,
     )  # fmt: skip
 
 
-def run(prepared: Prepared, folder: Folder, report: Report | None = None) -> Outcome:
+def run(prepared: Prepared, folder: Folder, report: Report | None = None, *, threads: int = 1) -> Outcome:
     """Sample, draw what was integrated over, and look at the samples with the full likelihood.
+
+    Parameters
+    ----------
+    prepared, folder
+        What is sampled, and where it is kept.
+    report
+        Called after each step.
+    threads
+        That evaluate likelihoods in this process; the posterior does not depend on how many.
 
     Raises
     ------
@@ -150,8 +173,9 @@ def run(prepared: Prepared, folder: Folder, report: Report | None = None) -> Out
     event, started, processor = prepared.event, time.perf_counter(), time.process_time()
     section = event.sampler
     settings = Settings(effective=section.effective, particles=section.particles, seed=section.seed)
-    with folder.writing():
-        posterior = sample(prepared.problem(), settings, checkpoint=folder.checkpoint, progress=report)
+    local = isinstance(prepared.bound, LocalLikelihood)  # a server has threads of its own
+    with folder.writing(), in_threads(prepared.bound.log_likelihood, threads if local else 1) as evaluate:
+        posterior = sample(prepared.problem(evaluate), settings, checkpoint=folder.checkpoint, progress=report)
     sampled = time.perf_counter()
     samples = samples_of_posterior(
         posterior, prepared.cube, prepared.bound, prepared.integrated, section.seed, prepared.model, event.data.f_min
@@ -169,7 +193,7 @@ def _checked(prepared: Prepared, samples: Samples) -> FullCheck | None:
     if not event.output.checks or points > _MOST_FULL:
         return None
     full = full_likelihood(event, prepared.data, prepared.cube, prepared.model)
-    count = max(8, min(event.output.checks, _MOST_WORK // full.samples))
+    count = min(event.output.checks, max(_FEWEST_CHECKS, _MOST_WORK // full.samples))
     return check_with_full(samples, likelihood(prepared.model, full), count)
 
 

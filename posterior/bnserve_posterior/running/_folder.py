@@ -101,12 +101,13 @@ class Folder:
         path = self.path / _ANALYSIS
         if not path.exists():
             return None
-        facts = json.loads((self.path / f"{_ANALYSIS}.json").read_text())
-        return Choice(decode_analysis(path.read_bytes()), [str(fact) for fact in facts])
+        said = json.loads((self.path / f"{_ANALYSIS}.json").read_text())
+        return Choice(decode_analysis(path.read_bytes()), said["facts"], said["static_error"])
 
     def keep_analysis(self, choice: Choice) -> None:
         """Keep it."""
-        self._write(f"{_ANALYSIS}.json", json.dumps(choice.facts).encode())
+        said = {"facts": choice.facts, "static_error": choice.static_error}
+        self._write(f"{_ANALYSIS}.json", json.dumps(said).encode())
         self._write(_ANALYSIS, b"".join(encode_analysis(choice.analysis)))
 
     @contextlib.contextmanager

@@ -28,6 +28,8 @@ def describe(outcome: Outcome) -> dict[str, Any]:
         "likelihoods": posterior.likelihoods,
         "largest_log_likelihood": float(posterior.log_likelihood.max()),
         "likelihood": prepared.analysis.settings.kind,
+        "response": "moving" if prepared.analysis.settings.moves else "static",
+        "static_error": prepared.static_error,
         "check": None if outcome.check is None else outcome.check._asdict(),
         "seconds": {name: round(value, 2) for name, value in outcome.seconds.items()},
         "processor_seconds": round(outcome.processor_seconds, 2),

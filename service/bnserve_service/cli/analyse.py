@@ -72,6 +72,7 @@ class _Stopped:
 def _analyse(options: argparse.Namespace) -> int:
     from bnserve_protocol import InvalidRequest, require
     from bnserve_service.cli.places import open_model
+    from bnserve_service.process.system import available_cpus
 
     purpose = "Analysing an event"
     require("bilby", purpose, "analyse")
@@ -94,7 +95,7 @@ def _analyse(options: argparse.Namespace) -> int:
         if options.check:
             return _checked(options, prepared)
         progress = None if options.no_progress else _Progress()
-        outcome = running.run(prepared, folder, progress)
+        outcome = running.run(prepared, folder, progress, threads=available_cpus())
         if progress is not None:
             progress.end()
         written = report.save_outcome(outcome, folder, page=not options.no_report)
