@@ -27,7 +27,7 @@ ASD_UNIT = "1/Hz^(1/2)"
 
 def in_units(**units: str) -> Callable[[Callable[_Arguments, _Result]], Callable[_Arguments, _Result]]:
     """Have the arguments of a function, by name, arrive as plain real numbers: floats (those that are annotated as such
-    must be), or float64 arrays.
+    must be), or float64 arrays. None stays where it is the default.
 
     Raises
     ------
@@ -42,8 +42,9 @@ def in_units(**units: str) -> Callable[[Callable[_Arguments, _Result]], Callable
         def converted(*arguments: _Arguments.args, **named: _Arguments.kwargs) -> _Result:
             bound = signature.bind(*arguments, **named)
             for name, unit in units.items():
-                if name in bound.arguments:
-                    convert = number if signature.parameters[name].annotation in (float, "float") else real
+                parameter = signature.parameters[name]
+                if name in bound.arguments and not (bound.arguments[name] is None and parameter.default is None):
+                    convert = number if parameter.annotation in (float, "float") else real
                     bound.arguments[name] = convert(name, bound.arguments[name], unit)
             return function(*bound.args, **bound.kwargs)
 

@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 
 from benchmarks.gw170817.setting import DATA
-from bnserve_inference import gwosc_segment
+from bnserve_inference import Detector, gwosc_segment
 from bnserve_posterior.data import load_data, noise_curve, segment_start
 from bnserve_posterior.events import EventInvalid, read_event
 from bnserve_protocol import AnalysisInvalid
@@ -115,6 +115,26 @@ def test_a_detector_may_have_a_band_and_notches_of_its_own(model):
     out = ~np.isfinite(found.asd) & np.isfinite(plain.asd)
     f = np.arange(len(out)) / 8.0
     assert (out[f >= 64.0] == ((f < 80.0) | (f > 400.0) | ((f >= 119.0) & (f <= 121.0)))[f >= 64.0])[: 400 * 8].all()
+
+
+@pytest.mark.parametrize("arm_length", [None, 40e3])
+def test_a_detector_may_be_given_by_its_coordinates(model, arm_length):
+    site = {"latitude": 0.8, "longitude": -2.0, "elevation": 100.0, "x_azimuth": 0.3, "y_azimuth": 1.9}
+    site |= {} if arm_length is None else {"arm_length": arm_length}
+    section = {"asd": "aLIGO_O4_high_asd.txt", "site": site}
+    (found,) = load_data(event(detectors={"X1": section}), model, ((2, 2),)).detectors
+    expected = Detector.at("X1", **site)
+    assert (found.name, found.site().location.tolist()) == ("X1", expected.location.tolist())
+    assert (found.site().response == expected.response).all()
+    assert (found.site().arms is None) == (arm_length is None)
+
+
+def test_the_length_of_arms_counts_where_it_is_asked_for(model):
+    asd = {"asd": "aLIGO_O4_high_asd.txt"}
+    long = load_data(event(detectors={"CE40": {**asd, "finite_arms": True}}), model, ((2, 2),)).detectors[0]
+    short = load_data(event(detectors={"CE40": asd}), model, ((2, 2),)).detectors[0]
+    assert (long.site().arms is None, short.site().arms is None) == (False, True)
+    assert (long.strain != short.strain).any()
 
 
 def test_the_segment_begins_at_a_whole_second_and_ends_two_seconds_after_the_trigger():

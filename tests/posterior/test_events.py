@@ -13,6 +13,8 @@ EVENT = {
     "output": {"folder": "runs/x"},
 }
 
+SITE = {"latitude": 0.7, "longitude": 0.2, "x_azimuth": 0.0, "y_azimuth": 1.5}
+
 
 def with_values(**changes):
     table = copy.deepcopy(EVENT)
@@ -56,6 +58,19 @@ def test_what_is_left_out_has_a_default():
         ({"output__label": "../x"}, "beginning of a file's name"),
         ({"output__folder": ""}, "length >= 1"),
         ({"sampler__effective": 0}, ">= 1"),
+        ({"detectors__H1__calibration": "h.txt"}, r"does not say what it is multiplied with: give correction"),
+        ({"calibration": {"correction": "data"}}, "no detector has 'calibration'"),
+        ({"calibration": {"correction": "strain"}}, "Invalid enum value 'strain'"),
+        ({"calibration": {"correction": "data", "node": 3}}, "did you mean 'nodes'"),
+        ({"calibration": {"correction": "data", "nodes": 3}}, ">= 4"),
+        (
+            {"calibration": {"correction": "data", "f_min": 3000.0}, "detectors__H1__calibration": "h.txt"},
+            "the first must be below the second",
+        ),
+        ({"detectors__H1__site": {"latitude": 0.1}}, "missing required field"),
+        ({"detectors__H1__site": {**SITE, "latitud": 0.1}}, "did you mean 'latitude'"),
+        ({"detectors__H1__site": SITE, "detectors__H1__finite_arms": True}, "leave out finite_arms"),
+        ({"likelihood__time_marginalization": True}, "did you mean 'time_marginalisation'"),
     ],
 )
 def test_what_makes_no_sense_is_refused_in_a_sentence(changes, sentence):
@@ -70,18 +85,20 @@ def test_a_simulated_detector_needs_a_noise_curve():
 
 
 def test_files_are_looked_for_beside_the_configuration(tmp_path):
-    for name in ("h.hdf5", "p.prior"):
+    for name in ("h.hdf5", "p.prior", "calibration.txt"):
         (tmp_path / name).write_text("")
     path = tmp_path / "event.toml"
     path.write_text("""
 data = {trigger_time = 1187008882.43, duration = 128.0, f_min = 23.0, f_max = 2000.0}
-detectors = {H1 = {strain = "h.hdf5", asd = "aLIGO_O4_high_asd.txt"}}
+detectors = {H1 = {strain = "h.hdf5", asd = "aLIGO_O4_high_asd.txt", calibration = "calibration.txt"}}
+calibration = {correction = "data"}
 prior = {file = "p.prior"}
 output = {folder = "runs/x"}
 """)
     event = read_event(path)
     assert event.detectors["H1"].strain == str(tmp_path / "h.hdf5")
     assert event.detectors["H1"].asd == "aLIGO_O4_high_asd.txt"  # one of bilby's
+    assert event.detectors["H1"].calibration == str(tmp_path / "calibration.txt")
     assert event.prior["file"] == str(tmp_path / "p.prior")
 
 

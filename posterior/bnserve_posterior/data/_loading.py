@@ -8,10 +8,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
+import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference import DetectorData, fourier_strain, gaussian_noise, simulate_data
+from bnserve_inference import Detector, DetectorData, fourier_strain, gaussian_noise, simulate_data
 from bnserve_inference.strain import Strain, data_doubts, read_strain, refuse_gaps
 from bnserve_posterior.data._noise import Noise, estimated_noise, noise_curve
 from bnserve_posterior.events import DataSection, DetectorSection, Event, EventInvalid
@@ -40,7 +41,7 @@ class EventData:
     facts, doubts
         What was done with the data, and what is doubtful about them, a sentence each.
     digests
-        SHA-256 of the files, by name.
+        SHA-256 of the files, by name, and of those of calibration envelopes.
     """
 
     detectors: list[DetectorData]
@@ -74,9 +75,17 @@ def load_data(event: Event, model: WaveformModel, modes: tuple[Mode, ...] | None
     PackageMissing
         Frames without gwpy.
     """
-    if event.data.injection is not None:
-        return _simulated(event, model, modes)
-    return _read(event)
+    found = _read(event) if event.data.injection is None else _simulated(event, model, modes)
+    for section in event.detectors.values():
+        if section.calibration and Path(section.calibration).exists():  # or else it is refused by name, later
+            found.digests[Path(section.calibration).name] = _digest(section.calibration)
+    return found
+
+
+def _site(name: str, section: DetectorSection) -> Detector | str:
+    if section.site is not None:
+        return Detector.at(name, **msgspec.structs.asdict(section.site))
+    return Detector.named(name, finite_arms=True) if section.finite_arms else name
 
 
 def _read(event: Event) -> EventData:
@@ -93,7 +102,7 @@ def _read(event: Event) -> EventData:
         samples = strain.piece(start, data.duration)
         noise = _noise(section, name, strain, event, len(samples) // 2 + 1, found.digests)
         transformed = fourier_strain(samples, strain.interval, data.roll_off)
-        one = DetectorData(name, transformed, noise.asd, start_time=start, duration=data.duration)
+        one = DetectorData(_site(name, section), transformed, noise.asd, start_time=start, duration=data.duration)
         found.detectors.append(_narrowed(one, section))
         found.facts.append(f"{name}: {strain.source}, {1.0 / strain.interval:g} samples a second.")
         found.facts.append(f"{noise.origin}.")
@@ -135,7 +144,8 @@ def _simulated(event: Event, model: WaveformModel, modes: tuple[Mode, ...] | Non
     elif "luminosity_distance" not in injection.parameters:
         raise EventInvalid("The injection has no distance: give luminosity_distance in its parameters, or its snr.")
     made = simulate_data(
-        list(event.detectors), [curve.asd for curve in curves], model=model,
+        [_site(name, section) for name, section in event.detectors.items()], [curve.asd for curve in curves],
+        model=model,
         parameters=likelihood_parameters(parameters, data.trigger_time), trigger_time=data.trigger_time,
         start_time=segment_start(data), duration=data.duration, seed=None, f_min=data.f_min, modes=modes,
         response=injection.response,

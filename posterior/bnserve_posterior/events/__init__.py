@@ -3,6 +3,7 @@
 from bnserve_posterior.events._errors import EventInvalid, OutputExists
 from bnserve_posterior.events._reading import changed_event, parse_event, read_event
 from bnserve_posterior.events._sections import (
+    CalibrationSection,
     DataSection,
     DetectorSection,
     Event,
@@ -11,9 +12,11 @@ from bnserve_posterior.events._sections import (
     ModelSection,
     OutputSection,
     SamplerSection,
+    SiteSection,
 )
 
 __all__ = [
+    "CalibrationSection",
     "DataSection",
     "DetectorSection",
     "Event",
@@ -24,6 +27,7 @@ __all__ = [
     "OutputExists",
     "OutputSection",
     "SamplerSection",
+    "SiteSection",
     "changed_event",
     "parse_event",
     "read_event",

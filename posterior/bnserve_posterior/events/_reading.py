@@ -10,12 +10,14 @@ from typing import Any
 import msgspec
 
 from bnserve_posterior.events._errors import EventInvalid
-from bnserve_posterior.events._sections import DataSection, DetectorSection, Event
+from bnserve_posterior.events._sections import FEWEST_PARTICLES, DataSection, DetectorSection, Event
 from bnserve_protocol import check_table, read_table
 
 _WHOLE = 1e-6
 """By how much an end of the band, in steps of the grid, may differ from a whole number; as for an analysis."""
 
+_FILES = "strain", "asd", "psd", "psd_strain", "calibration"
+"""Of a detector."""
 _MOST_POINTS = 2.0**27
 """Of the full grid of a detector: two gigabytes of strain."""
 
@@ -36,24 +38,31 @@ def read_event(path: Path | str) -> Event:
 def parse_event(table: dict[str, Any]) -> Event:
     """Check a configuration given as nested dictionaries; raises as :func:`read_event`."""
     event = check_table(table, Event, EventInvalid, "The event")
-    problem = next(filter(None, (*_data_problems(event.data), *_other_problems(event))), None)
+    problems = *_data_problems(event.data), *_other_problems(event), *_calibration_problems(event)
+    problem = next(filter(None, problems), None)
     if problem:
         raise EventInvalid(f"The event is wrong: {problem}.")
     return event
 
 
-def changed_event(event: Event, *, folder: Path | None = None, seed: int | None = None) -> Event:
-    """The event with another folder for the results, or another seed of the sampler.
+def changed_event(
+    event: Event, *, folder: Path | None = None, seed: int | None = None, particles: int | None = None
+) -> Event:
+    """The event with another folder for the results, or another seed or number of particles of the sampler.
 
     Raises
     ------
     EventInvalid
-        A seed below zero.
+        A seed below zero, or too few particles.
     """
     if seed is not None:
         if seed < 0:
             raise EventInvalid(f"A seed is a whole number from 0 on; got {seed}.")
         event = msgspec.structs.replace(event, sampler=msgspec.structs.replace(event.sampler, seed=seed))
+    if particles is not None:
+        if particles < FEWEST_PARTICLES:
+            raise EventInvalid(f"A population has {FEWEST_PARTICLES} particles or more; got {particles}.")
+        event = msgspec.structs.replace(event, sampler=msgspec.structs.replace(event.sampler, particles=particles))
     if folder is not None:
         event = msgspec.structs.replace(event, output=msgspec.structs.replace(event.output, folder=str(folder)))
     return event
@@ -92,9 +101,28 @@ def _other_problems(event: Event) -> Iterator[str]:
             yield f"[detectors.{name}] needs a noise curve, 'asd' or 'psd': there is no strain to estimate it from"
         if (detector.psd_start is None) != (detector.psd_duration is None):
             yield f"[detectors.{name}] psd_start and psd_duration belong together; give both or neither"
+        if detector.site and detector.finite_arms:
+            yield f"[detectors.{name}] has a site, whose arm_length counts if it is given; leave out finite_arms"
         for low, high in detector.notches:
             if not 0.0 <= low < high:
                 yield f"[detectors.{name}] notches are pairs of increasing frequencies; one is {low:g}, {high:g}"
+
+
+def _calibration_problems(event: Event) -> Iterator[str]:
+    section = event.calibration
+    named = [name for name, detector in event.detectors.items() if detector.calibration]
+    if section is None:
+        if named:
+            yield (
+                f"[detectors.{named[0]}] has a calibration, whose file does not say what it is multiplied with: give "
+                'correction = "data" (as LIGO, Virgo and KAGRA publish them) or "template" in [calibration]'
+            )
+        return
+    if not named:
+        yield "[calibration] is there, and no detector has 'calibration', a file with its envelope"
+    low, high = section.f_min or event.data.f_min, section.f_max or event.data.f_max
+    if not low < high < math.inf:
+        yield f"[calibration] has nodes from {low:g} to {high:g} Hz: the first must be below the second"
 
 
 def _beside(event: Event, folder: Path) -> Event:
@@ -104,7 +132,7 @@ def _beside(event: Event, folder: Path) -> Event:
         return str(folder / name) if name is not None and (folder / name).exists() else name
 
     def detector(given: DetectorSection) -> DetectorSection:
-        files = {key: resolved(getattr(given, key)) for key in ("strain", "asd", "psd", "psd_strain")}
+        files = {key: resolved(getattr(given, key)) for key in _FILES}
         return msgspec.structs.replace(given, **files)
 
     prior, likelihood = dict(event.prior), event.likelihood

@@ -13,6 +13,8 @@ Natural = Annotated[int, Meta(ge=0)]
 Count = Annotated[int, Meta(ge=1)]
 Positive = Annotated[float, Meta(gt=0.0)]
 Pair = tuple[float, float]
+FEWEST_PARTICLES = 100
+"""With fewer no mixture can be fitted in a few dimensions."""
 PriorValue = str | float | Pair
 """A prior in bilby's words, one value, or the two ends of a uniform one."""
 
@@ -54,14 +56,33 @@ class DataSection(_Section, frozen=True, kw_only=True):
     injection: InjectionSection | None = None
 
 
+class SiteSection(_Section, frozen=True, kw_only=True):
+    """Where a detector is that has no name, with the meaning of LAL's ``FrDetector``.
+
+    Geodetic ``latitude`` and ``longitude`` in radians, north and east positive, and ``elevation`` in metres; azimuths
+    of the arms in radians clockwise from north, and altitudes above the horizontal. ``arm_length`` in metres, where it
+    is to count.
+    """
+
+    latitude: float
+    longitude: float
+    elevation: float = 0.0
+    x_azimuth: float
+    y_azimuth: float
+    x_altitude: float = 0.0
+    y_altitude: float = 0.0
+    arm_length: Positive | None = None
+
+
 class DetectorSection(_Section, frozen=True, kw_only=True):
-    """A detector: its strain and its noise.
+    """A detector: its strain and its noise, and, if it has no name that is known, its ``site``.
 
     ``strain`` is a file, ``channel`` a series in it. The noise is in a file of two columns, Hz and ``asd`` (1/sqrt(Hz))
     or ``psd`` (1/Hz), or one of bilby's noise curves by its name, such as ``"ET_D_psd.txt"``; without either it is
     estimated from strain: ``psd_duration`` seconds from ``psd_start`` (GPS) in pieces of ``psd_segment`` seconds, of
     ``psd_strain`` if that is another file. ``f_min`` and ``f_max`` narrow the band, and ``notches`` are bands in Hz
-    that are left out.
+    that are left out. ``finite_arms``: whether the length of the arms of a known detector counts. ``calibration`` is a
+    file with the envelope of its calibration errors; without it has none.
     """
 
     strain: str | None = None
@@ -75,6 +96,9 @@ class DetectorSection(_Section, frozen=True, kw_only=True):
     f_min: Positive | None = None
     f_max: Positive | None = None
     notches: tuple[Pair, ...] = ()
+    site: SiteSection | None = None
+    finite_arms: bool = False
+    calibration: str | None = None
 
 
 class ModelSection(_Section, frozen=True, kw_only=True):
@@ -101,7 +125,23 @@ class LikelihoodSection(_Section, frozen=True, kw_only=True):
     modes: tuple[tuple[int, int], ...] | None = None
     phase_marginalisation: bool = True
     distance_marginalisation: bool = True
+    time_marginalisation: bool = False
     fiducial: dict[str, float] | None = None
+
+
+class CalibrationSection(_Section, frozen=True, kw_only=True):
+    """Calibration errors, whose envelopes are files of detectors.
+
+    ``correction``: what the files' numbers are multiplied with, the ``"data"`` (as LIGO, Virgo and KAGRA publish them)
+    or the ``"template"``; files do not say. Errors are splines through ``nodes`` from ``f_min`` to ``f_max`` (Hz; the
+    band's, if not stated), normal at each. They are integrated over by ``draws`` from the envelopes for each sample.
+    """
+
+    correction: Literal["data", "template"]
+    nodes: Annotated[int, Meta(ge=4, le=64)] = 10
+    f_min: Positive | None = None
+    f_max: Positive | None = None
+    draws: Annotated[int, Meta(ge=1, le=1000)] = 20
 
 
 class SamplerSection(_Section, frozen=True, kw_only=True):
@@ -109,7 +149,7 @@ class SamplerSection(_Section, frozen=True, kw_only=True):
     that look for it has, and the ``seed``."""
 
     effective: Count = 10_000
-    particles: Annotated[int, Meta(ge=100)] = 2000
+    particles: Annotated[int, Meta(ge=FEWEST_PARTICLES)] = 2000
     seed: Natural = 1
 
 
@@ -130,6 +170,7 @@ class Event(_Section, frozen=True, kw_only=True):
     detectors: Annotated[dict[str, DetectorSection], Meta(min_length=1)]
     model: ModelSection = ModelSection()
     likelihood: LikelihoodSection = LikelihoodSection()
+    calibration: CalibrationSection | None = None
     prior: dict[str, PriorValue]
     sampler: SamplerSection = SamplerSection()
     output: OutputSection

@@ -17,7 +17,8 @@ from bnserve_inference import (
 from bnserve_inference.roq import ReducedOrderQuadrature, load_basis, load_shipped_basis, shipped_bases
 from bnserve_posterior.data import EventData
 from bnserve_posterior.events import Event, EventInvalid
-from bnserve_posterior.likelihoods._marginalised import marginalised_distance
+from bnserve_posterior.likelihoods._envelopes import Envelopes
+from bnserve_posterior.likelihoods._marginalised import marginalised_distance, marginalised_time
 from bnserve_posterior.likelihoods._ranges import analysis_ranges
 from bnserve_posterior.priors import PriorCube, likelihood_parameters
 from bnserve_protocol import (
@@ -120,12 +121,14 @@ def full_likelihood(event: Event, data: EventData, cube: PriorCube, model: Wavef
 
 
 def _options(event: Event, cube: PriorCube, model: WaveformModel) -> LikelihoodOptions:
-    section = event.likelihood
+    section, envelopes = event.likelihood, Envelopes.read(event)
     distance = marginalised_distance(cube.priors) if section.distance_marginalisation else None
     return LikelihoodOptions(
         prior=analysis_ranges(cube, model.description),
         phase_marginalisation=section.phase_marginalisation,
         distance_marginalisation=distance,
+        time_marginalisation=marginalised_time(cube) if section.time_marginalisation else None,
+        calibration=None if envelopes is None else envelopes.calibration,
         error_bound=section.error_bound,
         modes=section.modes,
         response=section.response,

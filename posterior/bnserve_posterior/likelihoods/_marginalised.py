@@ -8,7 +8,8 @@ from typing import Any
 
 from bnserve_inference import tabulated_distance_prior
 from bnserve_posterior.events import EventInvalid, LikelihoodSection
-from bnserve_protocol import AnalysisInvalid, DistanceMarginalisation
+from bnserve_posterior.priors import PriorCube
+from bnserve_protocol import AnalysisInvalid, DistanceMarginalisation, TimeMarginalisation
 
 
 def integrated_names(section: LikelihoodSection, priors: Any) -> tuple[str, ...]:
@@ -17,7 +18,8 @@ def integrated_names(section: LikelihoodSection, priors: Any) -> tuple[str, ...]
     Raises
     ------
     EventInvalid
-        No prior of the distance, or a phase that is to be integrated over and has another prior than a uniform one.
+        No prior of the distance, or a phase or time that is to be integrated over and has another prior than a uniform
+        one.
     """
     from bilby.core.prior import Uniform
 
@@ -34,7 +36,20 @@ def integrated_names(section: LikelihoodSection, priors: Any) -> tuple[str, ...]
         found.append("phase")
     if section.distance_marginalisation and marginalised_distance(priors) is not None:
         found.append("luminosity_distance")
+    if section.time_marginalisation:
+        if type(priors["geocent_time"]) is not Uniform:
+            raise EventInvalid(
+                "The likelihood is to integrate over the time, whose prior must then be uniform: leave out "
+                "time_marginalisation, or give the two ends of geocent_time."
+            )
+        found.append("geocent_time")
     return tuple(found)
+
+
+def marginalised_time(cube: PriorCube) -> TimeMarginalisation:
+    """The prior of the time as the likelihood takes it."""
+    prior = cube.priors["coalescence_time"]
+    return TimeMarginalisation(minimum=float(prior.minimum), maximum=float(prior.maximum))
 
 
 def marginalised_distance(priors: Any) -> DistanceMarginalisation | None:

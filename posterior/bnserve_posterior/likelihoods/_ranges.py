@@ -54,7 +54,8 @@ def trained_ranges(model: ModelDescription) -> dict[str, tuple[float, float]]:
 
 def _prior_ranges(cube: PriorCube) -> dict[str, tuple[float, float]]:
     """Of chirp mass, mass ratio (at least 1), spins and tides, and of the time."""
-    ends = {name: _ends(cube.priors[name]) for name in (*cube.names, *cube.fixed) if name in cube.priors}
+    stated = (*cube.names, *cube.fixed, "coalescence_time")  # the time also where it is integrated over
+    ends = {name: _ends(cube.priors[name]) for name in stated if name in cube.priors}
     masses = [name for name in _MASSES if name in ends]
     if "mass_ratio" in ends:
         low, high = ends["mass_ratio"]

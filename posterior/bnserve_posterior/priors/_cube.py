@@ -30,7 +30,7 @@ class PriorCube:
     trigger_time
         GPS seconds.
     integrated
-        Names that the likelihood integrates over; they are no columns.
+        bilby's names of what the likelihood integrates over; they are no columns.
     quadrupole
         Whether the signal is of modes of order 2 alone and its phase is integrated over: another quarter of a turn of
         ``psi`` turns the sign of such a signal, which is a phase, so that half of the range is sampled.
@@ -66,8 +66,9 @@ class PriorCube:
                 raise EventInvalid(f"The prior of '{name}' depends on others; give one that stands for itself.")
             if not (math.isfinite(priors[name].minimum) and math.isfinite(priors[name].maximum)):
                 raise EventInvalid(f"The prior of '{name}' has no ends; give one with a minimum and a maximum.")
-        self.names = tuple(name for name in varied if name not in integrated)
-        for name in integrated:
+        gone = {"coalescence_time" if name == "geocent_time" else name for name in integrated}
+        self.names = tuple(name for name in varied if name not in gone)
+        for name in gone:
             self.fixed.pop(name, None)
         if not self.names:
             raise EventInvalid("Every parameter is fixed: there is nothing to sample. Give a prior to one at least.")

@@ -27,7 +27,7 @@ def save_outcome(outcome: Outcome, folder: Folder, *, page: bool = True) -> list
         outcome.posterior,
         prepared.cube,
         prepared.priors,
-        log_evidence=outcome.log_evidence,
+        log_evidence=(outcome.log_evidence, outcome.log_evidence_error),
         noise_log_likelihood=prepared.analysis.settings.noise_log_likelihood,
         injection=prepared.data.injection,
         meta_data=meta_data(outcome),

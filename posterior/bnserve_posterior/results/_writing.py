@@ -24,7 +24,7 @@ def bilby_result(
     cube: PriorCube,
     priors: Any,
     *,
-    log_evidence: float,
+    log_evidence: tuple[float, float],
     noise_log_likelihood: float,
     injection: Mapping[str, float] | None,
     meta_data: Mapping[str, Any],
@@ -39,7 +39,7 @@ def bilby_result(
     samples, posterior, cube, priors
         What was found, and the prior as bilby has it.
     log_evidence
-        ln of the evidence ratio, over the prior that the constraints leave.
+        ln of the evidence ratio, over the prior that the constraints leave, and its standard error.
     noise_log_likelihood
         Of the data without a signal.
     injection
@@ -72,10 +72,10 @@ def bilby_result(
             meta_data=dict(meta_data),
             posterior=frame,
             samples=frame[names].to_numpy(),
-            log_evidence=log_evidence + noise_log_likelihood,
-            log_evidence_err=posterior.log_evidence_error,
+            log_evidence=log_evidence[0] + noise_log_likelihood,
+            log_evidence_err=log_evidence[1],
             log_noise_evidence=noise_log_likelihood,
-            log_bayes_factor=log_evidence,
+            log_bayes_factor=log_evidence[0],
             log_likelihood_evaluations=samples.log_likelihood,
             num_likelihood_evaluations=posterior.likelihoods,
             sampling_time=seconds,

@@ -8,7 +8,8 @@ from typing import Any
 
 import bnserve_protocol
 from bnserve_posterior.data import segment_start
-from bnserve_posterior.running._chain import Outcome, Prepared
+from bnserve_posterior.running._chain import Outcome
+from bnserve_posterior.running._preparing import Prepared
 
 _PACKAGES = ("bilby", "numpy", "scipy", "corner", "matplotlib")
 
@@ -19,17 +20,18 @@ def describe(outcome: Outcome) -> dict[str, Any]:
     shift = outcome.log_evidence - posterior.log_evidence
     return {
         "log_evidence": outcome.log_evidence,
-        "log_evidence_error": posterior.log_evidence_error,
+        "log_evidence_error": outcome.log_evidence_error,
         "log_evidences": [value + shift for value, _ in posterior.log_evidences],
         "log_evidence_errors": [error for _, error in posterior.log_evidences],
         "noise_log_likelihood": prepared.analysis.settings.noise_log_likelihood,
-        "effective_samples": int(posterior.effective),
+        "effective_samples": len(outcome.samples),
         "k_hat": posterior.k_hat,
         "likelihoods": posterior.likelihoods,
         "largest_log_likelihood": float(posterior.log_likelihood.max()),
         "likelihood": prepared.analysis.settings.kind,
         "response": "moving" if prepared.analysis.settings.moves else "static",
         "static_error": prepared.static_error,
+        "calibration": None if outcome.samples.calibrated is None else outcome.samples.calibrated._asdict(),
         "check": None if outcome.check is None else outcome.check._asdict(),
         "seconds": {name: round(value, 2) for name, value in outcome.seconds.items()},
         "processor_seconds": round(outcome.processor_seconds, 2),
@@ -74,7 +76,7 @@ def meta_data(outcome: Outcome) -> dict[str, Any]:
             "duration": event.data.duration,
             "start_time": float(segment_start(event.data)),
             "sampling_frequency": 2.0 * (len(prepared.data.detectors[0].asd) - 1) / event.data.duration,
-            "time_marginalization": False,
+            "time_marginalization": "geocent_time" in prepared.integrated,
             "phase_marginalization": "phase" in prepared.integrated,
             "distance_marginalization": "luminosity_distance" in prepared.integrated,
             "frequency_domain_source_model": "bnserve",

@@ -7,11 +7,13 @@ from bnserve_posterior.sampling._errors import (
     PosteriorUnreliable,
     SamplingError,
 )
+from bnserve_posterior.sampling._pareto import BELIEVED, pareto_k
 from bnserve_posterior.sampling._posterior import Posterior
 from bnserve_posterior.sampling._problem import PLAIN, Coordinates, Problem, Progress, Settings, Twins
 from bnserve_posterior.sampling._sample import sample
 
 __all__ = [
+    "BELIEVED",
     "PLAIN",
     "CheckpointMismatch",
     "Coordinates",
@@ -24,5 +26,6 @@ __all__ = [
     "SamplingError",
     "Settings",
     "Twins",
+    "pareto_k",
     "sample",
 ]

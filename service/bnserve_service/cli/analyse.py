@@ -29,6 +29,7 @@ def add_parser(subparsers: Any) -> None:
     add("event", type=Path, metavar="EVENT.toml", help="what is analysed, and how")
     add("--output", type=Path, metavar="DIR", help="in place of the configuration's folder")
     add("--seed", type=int, metavar="N", help="of the sampler, in place of the configuration's")
+    add("--particles", type=int, metavar="N", help="of each population of the sampler, in place of the configuration's")
     add("--resume", action="store_true", help="go on with the run that is in the folder")
     add("--force", action="store_true", help="throw away the run that is in the folder")
     add(
@@ -81,7 +82,9 @@ def _analyse(options: argparse.Namespace) -> int:
     )
     if options.resume and options.force:
         raise InvalidRequest("--resume goes on with a run and --force throws it away: leave out one of the two.")
-    event = events.changed_event(events.read_event(options.event), folder=options.output, seed=options.seed)
+    event = events.changed_event(
+        events.read_event(options.event), folder=options.output, seed=options.seed, particles=options.particles
+    )
     model = open_model(
         event.model.name, options.store, url=event.model.url, token=options.token, purpose="A model of a server"
     )
@@ -132,6 +135,11 @@ def _print_outcome(options: argparse.Namespace, found: dict[str, Any], written: 
         f"k-hat                      {found['k_hat']:.2f}\n"
         f"likelihoods                {found['likelihoods']}"
     )
+    if (errors := found["calibration"]) is not None:
+        print(
+            f"calibration errors         {errors['draws']} draws a sample: ln of the evidence shifts by "
+            f"{errors['shift']:.3f} +- {errors['shift_error']:.3f}, efficiency {errors['efficiency']:.4f}"
+        )
     if (check := found["check"]) is not None:
         print(
             f"against the full grid      {check['samples']} samples: largest difference of ln L "
