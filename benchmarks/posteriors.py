@@ -61,7 +61,7 @@ def table(found: dict[str, dict[str, Any]]) -> str:
         "k-hat": lambda run: f"{run['k_hat']:.2f}",
         "ln of the evidence ratio": lambda run: pair(run["log_evidence"], run["log_evidence_error"]),
         "the same by either half": lambda run: ", ".join(
-            map(pair, run["log_evidences"], run["log_evidence_errors"], strict=True)
+            pair(*each) for each in zip(run["log_evidences"], run["log_evidence_errors"], strict=True)
         ),
         "largest difference of ln L to the full grid": lambda run: (
             f"{run['check']['largest']:.2g} of {run['check']['samples']}" if run["check"] else "not looked at"

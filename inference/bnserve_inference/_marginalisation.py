@@ -27,8 +27,11 @@ _DEPTH = 40.0
 """Where the integrand is below its maximum by exp(-40), nothing is left to integrate."""
 _STEP = 0.9
 """Standard deviations: equal steps leave 2 exp(-2 pi^2 / 0.9^2) of the integral of a normal distribution, 5e-11."""
+_PER_ROOT = 5.0
+"""Gauss-Legendre nodes for the root of the depth, over all or a part of a normal distribution: of it, the polynomials
+that they do not integrate have exp(-5^2), 1e-11."""
 _NARROW = 1.5
-"""Ratio of the ends of what matters, below which it is a normal distribution to these steps."""
+"""Ratio of the ends of what matters, below which it is a normal distribution to these rules."""
 _WIDEST_PIECE = 32.0
 """Ratio of the ends of a piece: the nodes follow the power of u, which has a pole at zero, to rounding."""
 _FLAT = 1e-6
@@ -99,8 +102,8 @@ class DistanceIntegral:
 
     At distance D the products are those at ``reference`` times u = reference / D, and u^2: the exponent is a parabola
     in u (to which ln I0 comes close), times a power of u. It is integrated by 64 Gauss-Legendre nodes where it matters,
-    or, where that is a wide range of u, by as many on each of several pieces, or, of a loud signal inside the prior, by
-    some 24 equal steps: nothing is tabulated, no signal is too loud, and none too weak.
+    or, where that is a wide range of u, by as many on each of several pieces, or, of a loud signal, by some 24 equal
+    steps, or 32 nodes at an end of the prior: nothing is tabulated, no signal is too loud, and none too weak.
 
     Attributes
     ----------
@@ -121,6 +124,7 @@ class DistanceIntegral:
         self.factors = Distances(*self._ends, self._depth - _DEPTH)
         steps = int(np.ceil(2.0 * np.sqrt(2.0 * self._depth) / _STEP))
         self._steps = _Rule(np.linspace(-1.0, 1.0, steps + 1), np.full(steps + 1, 2.0 / steps))
+        self._part = _Rule(*np.polynomial.legendre.leggauss(int(np.ceil(_PER_ROOT * np.sqrt(self._depth)))))
         self._log_norm = self._prior.log_norm
         nothing = float(self.log_likelihood(np.zeros(1), np.zeros(1), False)[0])
         if not abs(nothing) <= _NORM_TOLERANCE:
@@ -182,16 +186,16 @@ class DistanceIntegral:
         start, stop = self._window(products, norms)
         widths = np.log(stop / start) / np.log(_WIDEST_PIECE)
         pieces = np.ceil(np.where(np.isfinite(widths), np.maximum(widths, 1.0), 1.0)).astype(np.int64)
-        inside = (start > self._ends[0]) & (stop < self._ends[1])
-        loud = inside & (stop < _NARROW * start)
+        inside, loud = (start > self._ends[0]) & (stop < self._ends[1]), stop < _NARROW * start
         result = np.full(len(products), -np.inf)
-        if loud.any():
-            own = None if means is None else means[:, loud]
-            result[loud] = self._over_piece(
-                products[loud], norms[loud], start[loud], stop[loud], phase, self._steps, own
-            )
-            if means is not None and own is not None:
-                means[:, loud] = own
+        for these, rule in ((loud & inside, self._steps), (loud & ~inside, self._part)):
+            if these.any():
+                own = None if means is None else means[:, these]
+                result[these] = self._over_piece(
+                    products[these], norms[these], start[these], stop[these], phase, rule, own
+                )
+                if means is not None and own is not None:
+                    means[:, these] = own
         for piece in range(int(pieces[~loud].max(initial=0))):
             rows = np.flatnonzero(~loud & (pieces > piece))
             growth = (stop[rows] / start[rows]) ** (1.0 / pieces[rows])
