@@ -20,7 +20,7 @@ from bnserve_protocol import Mode
 from bnserve_surrogate import Model
 
 TRIGGER = 1187008882.4
-_CHOICES: dict[str, tuple[tuple[Mode, ...] | None, int]] = {"(2, 2)": (((2, 2),), 4096), "all modes": (None, 512)}
+CHOICES: dict[str, tuple[tuple[Mode, ...] | None, int]] = {"(2, 2)": (((2, 2),), 4096), "all modes": (None, 512)}
 """Modes, and binaries of a round."""
 _BOUNDS = {
     "mass_ratio": (1.0, 2.0), "lambda_1": (100.0, 2000.0), "lambda_2": (100.0, 2000.0), "chi_1": (-0.3, 0.3),
@@ -30,9 +30,9 @@ _BOUNDS = {
 }  # fmt: skip
 
 
-def triangle() -> Network:
+def triangle(trigger: float = TRIGGER) -> Network:
     """The Einstein Telescope's, from 5 Hz."""
-    return Network(["E1", "E2", "E3"], [NoiseCurve.named("ET-D")] * 3, 5.0, 2048.0, TRIGGER)
+    return Network(["E1", "E2", "E3"], [NoiseCurve.named("ET-D")] * 3, 5.0, 2048.0, trigger)
 
 
 def binaries(count: int) -> dict[str, NDArray[np.float64]]:
@@ -41,7 +41,8 @@ def binaries(count: int) -> dict[str, NDArray[np.float64]]:
     return {name: random.uniform(*bounds, count) for name, bounds in _BOUNDS.items()}
 
 
-def _rate(call: Callable[..., Any], model: Model, modes: tuple[Mode, ...] | None, count: int, rounds: int) -> float:
+def rate(call: Callable[..., Any], model: Model, modes: tuple[Mode, ...] | None, count: int, rounds: int) -> float:
+    """Binaries a second of CPU time."""
     network, samples, options = triangle(), binaries(count), ForecastOptions(modes=modes)
     call(model, network, samples, options)
     seconds = []
@@ -61,8 +62,8 @@ def main(arguments: list[str] | None = None) -> int:
     model = Model.load(options.model)
     print(f"{model.description.name} {model.description.version}, a second of CPU time, one thread\n")
     print("| modes | Fisher matrices | signal-to-noise ratios alone |\n|---|---|---|")
-    for label, (modes, count) in _CHOICES.items():
-        both = [_rate(call, model, modes, count, options.rounds) for call in (forecast, signal_to_noise)]
+    for label, (modes, count) in CHOICES.items():
+        both = [rate(call, model, modes, count, options.rounds) for call in (forecast, signal_to_noise)]
         print(f"| {label} | {both[0]:,.0f} | {both[1]:,.0f} |")
     return 0
 

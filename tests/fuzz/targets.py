@@ -12,11 +12,22 @@ from random import Random
 import numpy as np
 
 from bnserve_client._evaluation import check_model
-from bnserve_protocol import ArtifactError, BnserveError, InvalidRequest, UndecodableBody, decode_analysis
+from bnserve_inference.fisher import Network
+from bnserve_inference.fisher._nodes import nodes_of
+from bnserve_protocol import (
+    ArtifactError,
+    BnserveError,
+    InvalidRequest,
+    UndecodableBody,
+    decode_analysis,
+    decode_network,
+)
 from bnserve_protocol.wire import (
     JSON,
     MSGPACK,
     decode_answer,
+    decode_forecast_answer,
+    decode_forecast_request,
     decode_likelihood_answer,
     decode_likelihood_request,
     decode_request,
@@ -105,6 +116,16 @@ def read_likelihood_answer(data: bytes) -> None:
     check_model(decode_likelihood_answer(data).model, "http://server", valid.IDENTITY)
 
 
+def read_forecast_answer(data: bytes) -> None:
+    """The body of an answer."""
+    check_model(decode_forecast_answer(data).model, "http://server", valid.IDENTITY)
+
+
+def read_network(data: bytes) -> None:
+    """An upload, down to the nodes of its integrals."""
+    nodes_of(Network.of(decode_network(data)), (2, 3))
+
+
 TARGETS = {
     target.name: target
     for target in (
@@ -121,6 +142,13 @@ TARGETS = {
                likelihoods.evaluated_seeds, likelihoods.mutate_analysis),
         Target("analysis_made", likelihoods.read_made, (BnserveError,),
                likelihoods.made_seeds, likelihoods.mutate_made),
+        Target("forecast", lambda data: decode_forecast_request(data, MSGPACK, 4096), (InvalidRequest,),
+               valid.forecast_requests, mutate_msgpack),
+        Target("forecast_json", lambda data: decode_forecast_request(data, JSON, 4096), (InvalidRequest,),
+               valid.forecast_requests_json, mutate_json),
+        Target("network", read_network, (InvalidRequest,), valid.networks, mutate_msgpack),
+        Target("network_json", read_network, (InvalidRequest,), valid.networks_json, mutate_json),
+        Target("forecast_answer", read_forecast_answer, (BnserveError,), valid.forecast_answers, mutate_msgpack),
         Target("grid", read_grid, (InvalidRequest,), valid.grids, damage),
         Target("manifest", lambda data: decode_manifest(data, "manifest.json"), (ArtifactError,),
                valid.manifests, mutate_json),

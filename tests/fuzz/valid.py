@@ -12,21 +12,27 @@ from bnserve_client import Model
 from bnserve_protocol import (
     PARAMETER_NAMES,
     Calibration,
+    DetectorNetwork,
     EvaluationOptions,
     FieldError,
+    ForecastOptions,
     InvalidRequest,
     ModelIdentity,
+    NetworkDetector,
     ParameterBatch,
     ParametersWithExtrinsic,
     UniformGrid,
     encode_analysis,
 )
 from bnserve_protocol.wire import (
+    ForecastAnswer,
     GridDigest,
     LikelihoodAnswer,
     Problem,
     WaveformRequest,
     encode_answer,
+    encode_forecast_answer,
+    encode_forecast_request,
     encode_likelihood_answer,
     encode_likelihood_request,
     encode_request,
@@ -40,6 +46,7 @@ from tests.client.reference_service import ReferenceService
 from tests.fuzz.conversation import HEAD, MARK
 from tests.service.asking import GW170817, question
 from tests.service.injections import samples, small_analysis
+from tests.service.networks import BINARY, network
 
 FREQUENCIES = np.linspace(20.0, 100.0, 9)
 ANALYSIS = small_analysis(f_max=22.0, calibration=Calibration(nodes=4, f_min=20.0, f_max=22.0))
@@ -185,3 +192,37 @@ def spoken_by_the_reference() -> list[bytes]:
         model.predict(FREQUENCIES, ParametersWithExtrinsic(**GW170817))
         model.predict_batch(FREQUENCIES, binaries(5))
     return said
+
+
+def networks() -> list[bytes]:
+    """In MessagePack: with names alone, and with all that they stand for."""
+    f = np.geomspace(10.0, 1000.0, 20)
+    own = NetworkDetector("X", (f, 1e-24 * np.ones(20)), np.diag([0.5, -0.5, 0.0]), np.array([0.0, 0.0, 6.37e6]))
+    ours = DetectorNetwork([own, NetworkDetector("E1", "ET-D")], 20.0, 900.0, 1187008882.4)
+    return [ours.body, msgspec.msgpack.encode(network())]
+
+
+def networks_json() -> list[bytes]:
+    """As somebody writes them."""
+    curve = {"frequencies": [10.0, 2000.0], "asd": [1e-24, 1e-24]}
+    return [msgspec.json.encode(network()), msgspec.json.encode(network(("H1",), curve, moving=False))]
+
+
+def forecast_requests() -> list[bytes]:
+    """In MessagePack: ours, and by hand."""
+    options = ForecastOptions(priors={"chi_1": 0.05}, modes=[(2, 2)])
+    ours = encode_forecast_request("sha256:" + "0" * 64, samples(3), options, "root")
+    return [ours, msgspec.msgpack.encode({"parameters": BINARY, "output": "errors", "priors": {"chi_2": 0.1}})]
+
+
+def forecast_requests_json() -> list[bytes]:
+    """The same in JSON."""
+    return [msgspec.json.encode({"parameters": BINARY, "output": "snr", "priors": {"chi_1": 0.05}, "modes": [[2, 2]]})]
+
+
+def forecast_answers() -> list[bytes]:
+    """Of two binaries in one detector."""
+    arrays = {"snr": np.ones(2), "detector_snr": np.ones((2, 1)), "status": np.zeros(2, np.uint8)}
+    arrays |= {"root": np.ones((2, 91)), "condition": np.ones(2), "singular": np.zeros(2, np.uint8)}
+    answer = ForecastAnswer(model=IDENTITY, network="sha256:1", names=("chi_1",) * 13, arrays=arrays)
+    return [b"".join(encode_forecast_answer(answer))]

@@ -1,5 +1,6 @@
 """The messages that the reference prints byte by byte are those that are read and written."""
 
+import json
 import re
 from pathlib import Path
 
@@ -7,8 +8,16 @@ import msgpack
 import msgspec
 import numpy as np
 
-from bnserve_protocol import IN_PLANE_NAMES, PARAMETER_NAMES, PARAMETER_UNITS, AnalysisSettings
-from bnserve_protocol.wire import JSON, Problem, decode_request, encode_array
+from bnserve_protocol import (
+    IN_PLANE_NAMES,
+    PARAMETER_NAMES,
+    PARAMETER_UNITS,
+    AnalysisSettings,
+    DetectorNetwork,
+    NetworkDetector,
+    decode_network,
+)
+from bnserve_protocol.wire import JSON, ForecastAnswerBody, ForecastBody, Problem, decode_request, encode_array
 from bnserve_surrogate import Model
 
 PAGE = (Path(__file__).parents[2] / "docs" / "reference" / "wire.md").read_text(encoding="utf-8")
@@ -40,6 +49,20 @@ def test_the_array_is_the_answer_to_the_request():
     found = Model.default().predict_batch(asked.grid, asked.batch).plus
     real, imaginary = map(float, re.findall(r"# (-?[\d.]+e-\d+)$", PAGE, re.MULTILINE))
     np.testing.assert_allclose(found, [[complex(real, imaginary)]], rtol=1e-9)
+
+
+def test_the_network_is_read_and_written_in_json_beside_it():
+    body, plain = documented()[2], re.search(r"The same in JSON is `(.*?)`", PAGE)[1]
+    assert msgpack.unpackb(body) == json.loads(plain)
+    ours = DetectorNetwork([NetworkDetector("CE40", "CE40")], 5.0, 2048.0, 1.9e9)
+    for told in (body, plain.encode()):
+        assert decode_network(told).body == ours.body
+
+
+def test_every_field_of_a_forecast_is_there():
+    section = PAGE.partition("## Forecasts")[2].partition("## Arrays")[0]
+    fields = {name for body in (ForecastBody, ForecastAnswerBody) for name in body.__struct_fields__}
+    assert not fields - set(re.findall(r"`(\w+)`", section))
 
 
 def test_every_parameter_is_there_with_its_unit_and_the_range_of_the_default_model():

@@ -38,10 +38,8 @@ def summary(found: Mapping[str, NDArray[Any]]) -> dict[str, float]:
 
 
 def draw_forecasts(found: Mapping[str, NDArray[Any]], path: Path) -> None:
-    """How many binaries have less than so much: signal-to-noise ratio, errors of distance and tides, sky areas.
-
-    But for the first, of those alone that the network hears.
-    """
+    """How many binaries are louder than so much, and how many of those that the network hears have smaller errors of
+    distance and tides, and smaller areas of the sky."""
     require("matplotlib", "A picture of forecasts", "roq")
     from matplotlib.figure import Figure
 
@@ -52,11 +50,12 @@ def draw_forecasts(found: Mapping[str, NDArray[Any]], path: Path) -> None:
         values = np.sort(found[name][np.isfinite(found[name]) & (heard | (name == "snr"))])
         if not len(values):
             continue
-        axes.step(values, np.arange(1, len(values) + 1), where="post", color="#1f6feb")
+        ranks = np.arange(1, len(values) + 1)
+        axes.step(values, ranks[::-1] if name == "snr" else ranks, where="post", color="#1f6feb")
         axes.set_xscale("log")
         axes.set_yscale("log")
         axes.set_xlabel(label)
-        axes.set_ylabel("binaries with less" if name == "snr" else f"of those above {_LOUD[1]:g}, with less")
+        axes.set_ylabel("binaries with more" if name == "snr" else f"of those above {_LOUD[1]:g}, with less")
         axes.grid(visible=True, alpha=0.3)
     draft = path.with_name(f".draft-{path.name}")
     try:
