@@ -13,9 +13,10 @@ LARGEST_CONDITION = 1e14
 
 def condition(root: Floats) -> Floats:
     """Condition number of the squares of R with a unit diagonal, ``(N,)``."""
-    scale = np.sqrt((root**2).sum(axis=1))
-    good = (scale > 0.0).all(axis=1) & np.isfinite(root).all(axis=(1, 2))
-    regular = np.where(good[:, None, None], root / np.where(scale > 0.0, scale, 1.0)[:, None], np.eye(root.shape[1]))
+    with np.errstate(over="ignore"):
+        scale = np.sqrt((root**2).sum(axis=1))
+    good = (scale > 0.0).all(axis=1) & np.isfinite(scale).all(axis=1)
+    regular = np.where(good[:, None, None], root, np.eye(root.shape[1])) / np.where(good[:, None], scale, 1.0)[:, None]
     values = np.linalg.svd(regular, compute_uv=False)
     with np.errstate(divide="ignore"):
         found = (values[:, 0] / values[:, -1]) ** 2

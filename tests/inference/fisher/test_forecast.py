@@ -10,7 +10,7 @@ from bnserve_inference import Detector, detector_strain
 from bnserve_inference._modes import orders
 from bnserve_inference.fisher import COORDINATES, ForecastOptions, Network, NoiseCurve, forecast, signal_to_noise
 from bnserve_inference.fisher._factorisation import Factorisation
-from bnserve_inference.fisher._forecasting import NAMES
+from bnserve_inference.fisher._forecasting import NAMES, _jacobian
 from bnserve_inference.fisher._gauss import gauss, slopes
 from bnserve_inference.fisher._matrix import condition
 from bnserve_inference.fisher._nodes import Nodes, nodes_of
@@ -283,6 +283,37 @@ def test_a_row_is_the_same_bits_in_any_batch(model):
         [one] = batch.rows(slice(row, row + 1)).split(1)
         assert forecast(model, own, one).root.tobytes() == whole.root[row].tobytes()
         assert signal_to_noise(model, own, one).detector_snr.tobytes() == alone.detector_snr[row].tobytes()
+
+
+def test_errors_are_those_of_extended_precision(model):
+    """Against columns that are made orthogonal three times in extended precision, coordinates first."""
+    own, batch, modes = network(), LikelihoodBatch.coerce(BINARY), ((2, 2),)
+    rows = factored(model, own, modes, nodes_of(own, orders(modes)), batch, whitened=True).whitened[0]
+    options = ForecastOptions(modes=modes)
+    ours = forecast(model, own, batch, options)
+    jacobian = _jacobian(model, batch, options)[0].astype(np.longdouble)
+    columns = rows.swapaxes(1, 2).reshape(-1, len(NAMES)).astype(np.longdouble) @ jacobian
+    scale = np.sqrt((columns**2).sum(axis=0))
+    columns, root = columns / scale, np.zeros((len(NAMES), len(NAMES)), np.longdouble)
+    for k in range(len(NAMES)):
+        for _ in range(3):
+            for j in range(k):
+                along = columns[:, j] @ columns[:, k]
+                root[j, k] += along
+                columns[:, k] -= along * columns[:, j]
+        root[k, k] = np.sqrt(columns[:, k] @ columns[:, k])
+        columns[:, k] /= root[k, k]
+    inverse = np.linalg.inv(root.astype(float)).astype(np.longdouble)
+    for _ in range(3):
+        inverse = inverse @ (2.0 * np.eye(len(NAMES)) - root @ inverse)
+    expected = np.sqrt((inverse**2).sum(axis=1)) / scale
+    np.testing.assert_allclose(list(ours.errors().values()), expected.astype(float)[:, None], rtol=1e-9)
+
+
+def test_priors_that_leave_no_number_are_singular(model):
+    found = forecast(model, network(), BINARY, ForecastOptions(modes=((2, 2),), priors={"lambda_tilde": 1e-200}))
+    assert found.singular[0]
+    assert np.isnan(found.errors()["chi_1"][0])
 
 
 def test_a_direction_that_changes_nothing_has_no_condition():
