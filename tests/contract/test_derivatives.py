@@ -81,9 +81,13 @@ def test_errors_are_the_same(model, local):
     assert failure(lambda: call(model))[0] is OutOfDomain
 
 
-def test_a_network_and_a_model_of_a_user_are_refused(several):
-    with RemoteModel.connect(several, "paper") as paper, pytest.raises(InvalidRequest, match="network"):
-        paper.predict_derivatives(GRIDS["explicit"], ONE)
+def test_a_model_whose_regressor_is_a_network_has_them(several):
+    with RemoteModel.connect(several, "paper") as paper:
+        found = paper.predict_derivatives(GRIDS["explicit"], ONE)
+    assert bits(found) == bits(LocalModel.load("paper").predict_derivatives(GRIDS["explicit"], ONE))
+
+
+def test_a_model_of_a_user_is_refused(several):
     with (
         BackgroundServer(Settings(port=0), source=MemorySource().add(ChirpModel()), factory=as_it_is) as server,
         RemoteModel.connect(server.address, "chirp") as chirp,

@@ -227,10 +227,18 @@ def test_questions_that_are_none_are_refused(address, sha256, case):
     refusal(evaluate(address, sha256, ONE | change), status, code, words)
 
 
-def test_a_model_without_derivatives_has_signal_to_noise_ratios_alone(address, sha256):
-    refusal(evaluate(address, sha256, ONE, model="paper"), 422, "request-invalid", "derivatives")
-    told = evaluate(address, sha256, ONE | {"output": "snr"}, model="paper").document
+def test_a_model_without_derivatives_has_signal_to_noise_ratios_alone(start):
+    address = start(ChirpModel()).address
+    _, sha256 = put(address, network())
+    asked = {"parameters": BINARY}
+    refusal(evaluate(address, sha256, asked, model="chirp"), 422, "request-invalid", "derivatives")
+    assert evaluate(address, sha256, asked | {"output": "snr"}, model="chirp").document["snr"][0] > 0.0
+
+
+def test_a_model_of_a_network_has_forecasts(address, sha256):
+    told = evaluate(address, sha256, ONE | {"output": "errors"}, model="paper").document
     assert told["snr"] == pytest.approx(local().snr.tolist(), rel=1e-2)
+    assert (np.array(told["errors"]) > 0.0).all()
 
 
 def test_sizes_are_limited(start):
