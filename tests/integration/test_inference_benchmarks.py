@@ -2,12 +2,15 @@
 
 import json
 import sys
+from pathlib import Path
 
 import pytest
 
 from benchmarks.gw170817.__main__ import main as gw170817
 from benchmarks.inference.__main__ import main as inference
 from benchmarks.pp.__main__ import main as pp
+
+RESULTS = Path(__file__).parents[2] / "benchmarks" / "pp" / "results"
 
 
 @pytest.fixture
@@ -55,6 +58,17 @@ def test_the_percentile_percentile_test_goes_on_where_it_was_stopped(run, bnserv
     assert second["likelihood_calls"] > first["likelihood_calls"]
     assert set(second["p_values"]) >= {"chirp_mass", "lambda_1", "coalescence_time"}
     assert (tmp_path / "pp.png").stat().st_size > 10_000
+
+
+@pytest.mark.parametrize(("network", "count"), [("ligo", 100), ("et", 50)])
+def test_the_percentiles_that_were_found_are_judged_as_the_page_says(run, network, count):
+    found = run(pp, "--network", network, "--work", RESULTS, "--injections", count, "--seconds", 0)
+    assert found["injections"] == count
+    assert found["combined_p"] >= 0.01
+    assert found["smallest_p"] >= found["smallest_p_wanted"]
+    assert found["largest_k_hat"] <= 0.7
+    judged = json.loads((RESULTS / "result.json").read_text())[network]
+    assert judged == found
 
 
 @pytest.mark.slow

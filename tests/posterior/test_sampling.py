@@ -20,7 +20,7 @@ FEW = Settings(particles=400, effective=2000)
 
 
 def within(found, expected):
-    """The evidence, of the whole and of either half, is less than four of its errors off: of many one is beyond three."""
+    """The evidence, of the whole and of either half, is less than four errors off: of many one is beyond three."""
     assert found.log_evidence_error < 0.05
     assert abs(found.log_evidence - expected) < 4.0 * found.log_evidence_error
     for value, error in found.log_evidences:
