@@ -134,7 +134,8 @@ def whitened(data: DetectorData, strain: NDArray[np.complex128]) -> tuple[Floats
     Seconds from the start of the segment, and values, ``(n,)`` each; of noise alone these have variance one.
     """
     frequencies = np.arange(len(data.asd)) / data.duration
-    band = (frequencies >= _BAND[0]) & (frequencies <= _BAND[1]) & (data.asd > 0.0) & np.isfinite(data.asd)
+    _, density = data.weighted(slice(0, len(data.asd)))
+    band = (frequencies >= _BAND[0]) & (frequencies <= _BAND[1]) & (density > 0.0)
     white = np.zeros(len(data.asd), dtype=np.complex128)
     np.divide(strain, data.asd, out=white, where=band)
     samples = 2 * (len(white) - 1)
