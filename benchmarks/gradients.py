@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.gw170817 import analyses, priors, setting
-from bnserve_inference import LikelihoodOptions, full_analysis, likelihood, relative_binning_analysis, roq_analysis
+from bnserve_inference import LikelihoodOptions, LocalLikelihood, full_analysis, relative_binning_analysis, roq_analysis
 from bnserve_inference.roq import load_shipped_basis
 from bnserve_protocol import (
     LIKELIHOOD_NAMES,
@@ -106,7 +106,7 @@ def main(arguments: list[str] | None = None) -> int:
     print("|---|---|---|---|---|")
     for name in options.only or CHOICES:
         kind, modes, settings, rows = CHOICES[name]
-        bound = likelihood(model, cases.made(kind, modes, **settings))
+        bound = LocalLikelihood(model, cases.made(kind, modes, **settings))
         batch = cases.samples(rows)
         bound.gradients(batch)
         calls = (lambda b=bound, s=batch: b.log_likelihood(s), lambda b=bound, s=batch: b.gradients(s))

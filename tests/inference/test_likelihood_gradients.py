@@ -154,10 +154,10 @@ def test_at_equal_masses_equal_stars_and_the_ends_of_the_prior(model, data):
     by_ratio, by_time = (found.gradient[:, found.names.index(name)] for name in ("mass_ratio", "coalescence_time"))
     # At equal masses the phase hardly changes with their ratio, so that steps are longer.
     expected = difference(bound, batch, "mass_ratio", FORWARD, step=3e-5)
-    np.testing.assert_allclose(by_ratio, expected, rtol=1e-3, atol=1e-3 * np.abs(by_ratio).max())
+    np.testing.assert_allclose(by_ratio, expected, rtol=0.0, atol=3e-3 * np.abs(by_ratio).max())
     for row, stencil in enumerate((FORWARD, BACKWARD)):
-        expected = difference(bound, batch, "coalescence_time", stencil)
-        np.testing.assert_allclose(by_time[row], expected[row], rtol=1e-4)
+        expected = difference(bound, batch.rows(slice(row, row + 1)), "coalescence_time", stencil)
+        np.testing.assert_allclose(by_time[row], expected, rtol=1e-6)
 
 
 @pytest.mark.parametrize("options", [{}, PHASE | DISTANCE, CALIBRATION, TIME | PHASE, MOVING])

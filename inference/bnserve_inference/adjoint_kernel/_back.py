@@ -9,13 +9,13 @@ from numba import njit
 
 from bnserve_inference.adjoint_kernel._layout import SUMS, TANGENTS, Argument, Buffer, Geometry, Shared, Sum
 from bnserve_inference.adjoint_kernel._response import block_of
-from bnserve_inference.adjoint_kernel._sums import across, dot, times
+from bnserve_inference.adjoint_kernel._sums import across, dot, split, times
 from bnserve_inference.kernel._sums import Floats, Integers
 from bnserve_inference.modes_kernel._layout import Argument as Modes
 from bnserve_inference.moving_kernel._layout import Coefficient
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
-from bnserve_surrogate.kernel._memory import floats_at, floats_in, load, padded, store
+from bnserve_surrogate.kernel._memory import floats_at, floats_in, load, padded, store, store_complex
 from bnserve_surrogate.kernel._simd import fma, splat
 
 _TWO_PI = 2.0 * np.pi
@@ -114,28 +114,30 @@ def errors_to_nodes(row: int, d: int, first: int, size: int, arguments: Integers
 
 
 @njit(**JIT_OPTIONS)
-def waves_back(row: int, first: int, filled: int, arguments: Integers, own: Floats, mode: int, waves: Floats) -> None:
+def waves_back(
+    row: int, first: int, filled: int, arguments: Integers, shared: Floats, own: Floats, mode: int, waves: Floats
+) -> None:
     """The bar of a mode's strain at a block, conjugated, and what is summed of those of its factors."""
     modes, points = arguments[Modes.MODES], arguments[Modes.POINTS]
     plus = floats_at(arguments[Modes.PLUS] + 8 * (modes * row + mode), 1)[0]
     cross = floats_at(arguments[Modes.CROSS] + 16 * (modes * row + mode), 2)
+    cr, ci = cross[0], cross[1]
     h = floats_at(arguments[Modes.STRAIN] + 16 * ((modes * row + mode) * points + first), 2 * filled)
     out = floats_at(arguments[Argument.FACTORS_BAR] + 32 * (modes * row + mode), 4)
-    pr, pi = block_of(own, Buffer.PLUS_BAR), block_of(own, Buffer.PLUS_BAR + 1)
-    xr, xi = block_of(own, Buffer.CROSS_BAR), block_of(own, Buffer.CROSS_BAR + 1)
-    a = b = c = d = 0.0
-    for j in range(filled):
-        hr, hi = h[2 * j], h[2 * j + 1]
-        waves[2 * j] = plus * pr[j] + cross[0] * xr[j] - cross[1] * xi[j]
-        waves[2 * j + 1] = -(plus * pi[j] + cross[0] * xi[j] + cross[1] * xr[j])
-        a += pr[j] * hr - pi[j] * hi
-        b += pr[j] * hi + pi[j] * hr
-        c += xr[j] * hr - xi[j] * hi
-        d += xr[j] * hi + xi[j] * hr
-    out[0] += a
-    out[1] += b
-    out[2] += c
-    out[3] += d
+    lanes = block_of(shared, Shared.WORK)
+    split(h, filled, padded(filled), shared)
+    a, b, c, d = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
+    for j in range(0, filled, LANES):
+        pr, pi = load(block_of(own, Buffer.PLUS_BAR), j), load(block_of(own, Buffer.PLUS_BAR + 1), j)
+        xr, xi = load(block_of(own, Buffer.CROSS_BAR), j), load(block_of(own, Buffer.CROSS_BAR + 1), j)
+        hr, hi = load(block_of(shared, Shared.WAVE), j), load(block_of(shared, Shared.WAVE + 1), j)
+        store_complex(waves, j, fma(pr, plus, fma(xr, cr, xi * -ci)), fma(pi, -plus, fma(xi, -cr, xr * -ci)))
+        a, b = a + (pr * hr - pi * hi), b + fma(pr, hi, pi * hr)
+        c, d = c + (xr * hr - xi * hi), d + fma(xr, hi, xi * hr)
+    out[0] += across(a, lanes)
+    out[1] += across(b, lanes)
+    out[2] += across(c, lanes)
+    out[3] += across(d, lanes)
 
 
 @njit(**JIT_OPTIONS)

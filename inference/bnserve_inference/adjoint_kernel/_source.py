@@ -24,11 +24,10 @@ from bnserve_inference.adjoint_kernel._layout import (
 )
 from bnserve_inference.adjoint_kernel._passing import passing_back
 from bnserve_inference.adjoint_kernel._response import add_arm, block_of, clear_patterns, fill_geometry, short_patterns
-from bnserve_inference.adjoint_kernel._sums import add_fixed, add_pair, add_splined, respond, slopes_at
+from bnserve_inference.adjoint_kernel._sums import add_fixed, add_mode, add_pair, add_splined, respond, slopes_at, split
 from bnserve_inference.kernel._layout import Sky
 from bnserve_inference.kernel._sums import Floats, Integers, errors_at, spline_at
 from bnserve_inference.modes_kernel._layout import Argument as Modes
-from bnserve_inference.modes_kernel._source import _add_mode
 from bnserve_inference.moving_kernel._layout import COEFFICIENTS, Coefficient
 from bnserve_inference.moving_kernel._layout import Argument as Moving
 from bnserve_inference.moving_kernel._passing import find_passing
@@ -36,7 +35,7 @@ from bnserve_inference.moving_kernel._response import coefficients
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
 from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, load, padded, store
-from bnserve_surrogate.kernel._simd import fma, from_bits
+from bnserve_surrogate.kernel._simd import fma, from_bits, splat
 
 _COLUMNS = len(Sky)
 
@@ -45,6 +44,22 @@ _COLUMNS = len(Sky)
 def _own(buffers: Floats, g: int) -> Floats:
     """The buffers of a group."""
     return floats_in(buffers, (SHARED_BUFFERS + GROUP_BUFFERS * g) * BLOCK, GROUP_BUFFERS * BLOCK)
+
+
+@njit(**JIT_OPTIONS)
+def _begin(own: Floats, times: Floats, rate: float, size: int, moves: int) -> None:
+    """Nothing yet in the polarisations of a group and in bars; how far the Earth has turned at times."""
+    for part in (Buffer.PLUS, Buffer.CROSS, Buffer.PLUS_BAR, Buffer.CROSS_BAR):
+        real, imaginary = block_of(own, part), block_of(own, part + 1)
+        for j in range(0, size, LANES):
+            store(real, j, splat(0.0))
+            store(imaginary, j, splat(0.0))
+    turn, cosine, sine = block_of(own, Buffer.TURN_BAR), block_of(own, Buffer.COSINE), block_of(own, Buffer.COSINE + 1)
+    for j in range(0, size, LANES):
+        store(turn, j, splat(0.0))
+        s, c = sincos(load(times, j) * rate) if moves == 1 else (splat(0.0), splat(1.0))
+        store(cosine, j, c)
+        store(sine, j, s)
 
 
 @njit(**JIT_OPTIONS)
@@ -58,18 +73,11 @@ def _polarise(row: int, first: int, size: int, arguments: Integers, passing: Flo
     rate, width = floats_at(arguments[Modes.SIDEREAL], 2)[1], padded(points)
     for g in range(groups):
         own = _own(buffers, g)
-        own[:] = 0.0
-        times = floats_in(passing, g * width + first, size)
-        for j in range(0, size, LANES):
-            s, c = sincos(load(times, j) * rate)
-            store(block_of(own, Buffer.COSINE), j, c)
-            store(block_of(own, Buffer.COSINE + 1), j, s)
+        _begin(own, floats_in(passing, g * width + first, size), rate, size, arguments[Moving.MOVES])
     for a in range(modes):
-        own, start, filled = _own(buffers, group_of[a]), a * points + first, min(size, points - first)
-        pr, pi = block_of(own, Buffer.PLUS), block_of(own, Buffer.PLUS + 1)
-        xr, xi = block_of(own, Buffer.CROSS), block_of(own, Buffer.CROSS + 1)
-        _add_mode(wave, start, filled, plus[a], 0.0, pr, pi)
-        _add_mode(wave, start, filled, cross[2 * a], cross[2 * a + 1], xr, xi)
+        own, start, filled = _own(buffers, group_of[a]), 2 * (a * points + first), min(size, points - first)
+        split(floats_in(wave, start, 2 * filled), filled, size, floats_in(buffers, 0, SHARED_BUFFERS * BLOCK))
+        add_mode(plus[a], cross[2 * a], cross[2 * a + 1], size, floats_in(buffers, 0, SHARED_BUFFERS * BLOCK), own)
 
 
 @njit(**JIT_OPTIONS)
@@ -78,7 +86,9 @@ def _calibrate(row: int, d: int, first: int, size: int, arguments: Integers, sha
     kr, ki = block_of(shared, Shared.CALIBRATION), block_of(shared, Shared.CALIBRATION + 1)
     nodes, width = arguments[Modes.CALIBRATION_NODES], padded(arguments[Modes.POINTS])
     if nodes == 0:
-        kr[:], ki[:] = 1.0, 0.0
+        for j in range(0, size, LANES):
+            store(kr, j, splat(1.0))
+            store(ki, j, splat(0.0))
         return
     amplitude = floats_in(shared, Shared.ERRORS * BLOCK, size)
     phase = floats_in(shared, (Shared.ERRORS + 1) * BLOCK, size)
@@ -107,7 +117,9 @@ def _fill_bars(row: int, g: int, k: int, first: int, size: int, arguments: Integ
             real[j], imaginary[j] = line[2 * j], line[2 * j + 1]
     else:
         bar = floats_at(arguments[Argument.PRODUCTS_BAR] + 16 * ((row * groups + g) * times + k), 2)
-        real[:], imaginary[:] = bar[0], bar[1]
+        for j in range(0, size, LANES):
+            store(real, j, splat(bar[0]))
+            store(imaginary, j, splat(bar[1]))
 
 
 @njit(**JIT_OPTIONS)
@@ -122,7 +134,8 @@ def _through_weights(
     place = d if arguments[Modes.SHARED] == 1 else d * groups + g
     table = floats_at(arguments[Modes.LINEAR_WEIGHTS] + 16 * width * knots * place, 2 * width * knots)
     for part in range(Shared.STRAIN_BAR, Shared.SLOPE_BAR + 2):
-        block_of(shared, part)[:] = 0.0
+        for j in range(0, size, LANES):
+            store(block_of(shared, part), j, splat(0.0))
     for k in range(arguments[Modes.TIMES]):
         _fill_bars(row, g, k, first, size, arguments, shared)
         time = arrival + k * step
@@ -229,9 +242,10 @@ def _block_back(row: int, first: int, size: int, arguments: Integers, buffers: F
     modes, groups, points = arguments[Modes.MODES], arguments[Modes.GROUPS], arguments[Modes.POINTS]
     width, filled = padded(points), min(size, points - first)
     group_of = integers_at(arguments[Modes.GROUP_OF], modes)
+    shared = floats_in(buffers, 0, SHARED_BUFFERS * BLOCK)
     for a in range(modes):
-        own = floats_in(waves, 2 * (width * a + first), 2 * filled)
-        waves_back(row, first, filled, arguments, _own(buffers, group_of[a]), a, own)
+        own = floats_in(waves, 2 * (width * a + first), 2 * size)
+        waves_back(row, first, filled, arguments, shared, _own(buffers, group_of[a]), a, own)
     if arguments[Argument.PASSING_BAR] != 0:
         rate = floats_at(arguments[Modes.SIDEREAL], 2)[1]
         for g in range(groups):

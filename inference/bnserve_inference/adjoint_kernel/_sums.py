@@ -105,6 +105,31 @@ def add_pair(br: Floats, bi: Floats, q: Any, conjugate: float, size: int, shared
 
 
 @njit(**JIT_OPTIONS)
+def split(wave: Floats, filled: int, size: int, shared: Floats) -> None:
+    """Real and imaginary parts of a mode's strain, and zero beyond it."""
+    real, imaginary = block_of(shared, Shared.WAVE), block_of(shared, Shared.WAVE + 1)
+    for j in range(filled):
+        real[j] = wave[2 * j]
+        imaginary[j] = wave[2 * j + 1]
+    for j in range(filled, size):
+        real[j] = 0.0
+        imaginary[j] = 0.0
+
+
+@njit(**JIT_OPTIONS)
+def add_mode(plus: float, cr: float, ci: float, size: int, shared: Floats, own: Floats) -> None:
+    """Add the mode that was split to the polarisations of its group."""
+    for j in range(0, size, LANES):
+        hr, hi = load(block_of(shared, Shared.WAVE), j), load(block_of(shared, Shared.WAVE + 1), j)
+        pr, pi = block_of(own, Buffer.PLUS), block_of(own, Buffer.PLUS + 1)
+        xr, xi = block_of(own, Buffer.CROSS), block_of(own, Buffer.CROSS + 1)
+        store(pr, j, fma(hr, plus, load(pr, j)))
+        store(pi, j, fma(hi, plus, load(pi, j)))
+        store(xr, j, fma(hr, cr, fma(hi, -ci, load(xr, j))))
+        store(xi, j, fma(hr, ci, fma(hi, cr, load(xi, j))))
+
+
+@njit(**JIT_OPTIONS)
 def respond(f: Floats, receding: float, sideways: float, moves: int, size: int, shared: Floats, own: Floats) -> None:
     """The strain of a group in a detector, delayed and calibrated, of its polarisations and the patterns."""
     for j in range(0, size, LANES):
