@@ -30,6 +30,7 @@ from bnserve_protocol import (
     RowStatus,
     Seed,
     TooLarge,
+    by_given_names,
     check_invalid_rows,
     check_model_of,
     encode_analysis,
@@ -231,10 +232,11 @@ class _Remote:
 
     def _differentiating(self, batch: LikelihoodBatchLike) -> Conversation[LikelihoodGradients]:
         settings = self._analysis.settings
-        arrays = yield from self._asking(samples_of(batch, settings), "gradients")
-        return LikelihoodGradients(
-            arrays["log_likelihood"], arrays["gradient"], gradient_names(settings), arrays["status"]
-        )
+        samples = samples_of(batch, settings)
+        arrays = yield from self._asking(samples, "gradients")
+        names = gradient_names(settings)
+        found = LikelihoodGradients(arrays["log_likelihood"], arrays["gradient"], names, arrays["status"])
+        return by_given_names(batch, samples, settings, found)
 
     def _multiplying(self, batch: LikelihoodBatchLike) -> Conversation[DetectorProducts]:
         arrays = yield from self._asking(samples_of(batch, nothing_integrated(self._analysis.settings)), "products")
@@ -285,6 +287,8 @@ class Likelihood(_Remote):
 
     def gradients(self, batch: LikelihoodBatchLike) -> LikelihoodGradients:
         """As :meth:`evaluate`, with the exact gradient of every row, ``(N, P)``, in the parameters that are sampled.
+
+        Samples by the names of other programs have a gradient by those.
 
         Raises as :meth:`log_likelihood`, and InvalidRequest where the model has no derivatives; a server from before
         refuses it.

@@ -34,6 +34,7 @@ from bnserve_protocol import (
     RowStatus,
     Seed,
     WaveformModel,
+    by_given_names,
     check_invalid_rows,
     check_model_of,
     integrated_names,
@@ -150,6 +151,8 @@ class LocalLikelihood:
     def gradients(self, batch: LikelihoodBatchLike) -> LikelihoodGradients:
         """As :meth:`evaluate`, with the exact gradient of every row, ``(N, P)``, in the parameters that are sampled.
 
+        Samples by the names of other programs have a gradient by those.
+
         Raises
         ------
         InvalidParameters
@@ -167,7 +170,8 @@ class LocalLikelihood:
 
         status = self._by_tiles(coerced, keep, differentiated.of_rows)
         values[status != RowStatus.OK], gradient[status != RowStatus.OK] = -np.inf, np.nan
-        return LikelihoodGradients(values, gradient, differentiated.names, status)
+        found = LikelihoodGradients(values, gradient, differentiated.names, status)
+        return by_given_names(batch, coerced, self._analysis.settings, found)
 
     def products(self, batch: LikelihoodBatchLike) -> DetectorProducts:
         """Inner products, signal-to-noise ratios and ln L by detector, of the signals that samples describe.

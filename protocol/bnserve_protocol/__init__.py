@@ -88,6 +88,7 @@ from bnserve_protocol._forecasts import (
     triangle,
 )
 from bnserve_protocol._given import NotNumbers, as_numbers, as_real_number, as_real_numbers
+from bnserve_protocol._gradient_names import by_given_names
 from bnserve_protocol._grids import GridLike, UniformGrid, as_frequencies, grid_digest, plain_grid
 from bnserve_protocol._likelihood import (
     InvalidRows,
@@ -184,13 +185,13 @@ __all__ = [
     "SchemaUnknown", "Seed", "SignalToNoise", "StoreUnknown", "TimeGrid", "TimeMarginalisation", "TimeSeries",
     "TooLarge", "Unauthorized", "Unavailable", "UndecodableBody", "UniformGrid", "UnsupportedMediaType",
     "UntrustedAnswer", "VersionExists", "WaveformModel", "__version__", "as_frequencies", "as_numbers",
-    "as_real_number", "as_real_numbers", "check_arms", "check_band", "check_dtype", "check_invalid_rows",
-    "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior", "check_settings",
-    "check_table", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis", "decode_network",
-    "encode_analysis", "forecast_batch", "forecast_work", "from_triangle", "gradient_names", "grid_digest",
-    "integrated_names", "likelihood_nodes", "likelihood_samples", "nothing_integrated", "plain_grid", "plain_options",
-    "predict_time_domain", "printable", "random_numbers", "read_table", "refuse_rows", "require", "samples_of",
-    "the_mode", "time_domain_steps", "time_steps", "time_until_merger", "triangle", "turn_to_reference",
+    "as_real_number", "as_real_numbers", "by_given_names", "check_arms", "check_band", "check_dtype",
+    "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior",
+    "check_settings", "check_table", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis",
+    "decode_network", "encode_analysis", "forecast_batch", "forecast_work", "from_triangle", "gradient_names",
+    "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples", "nothing_integrated", "plain_grid",
+    "plain_options", "predict_time_domain", "printable", "random_numbers", "read_table", "refuse_rows", "require",
+    "samples_of", "the_mode", "time_domain_steps", "time_steps", "time_until_merger", "triangle", "turn_to_reference",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

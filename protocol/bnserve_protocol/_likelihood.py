@@ -78,6 +78,8 @@ class Likelihood(Protocol):
     def gradients(self, batch: LikelihoodBatchLike) -> LikelihoodGradients:
         """As :meth:`evaluate`, with the exact gradient of every row, ``(N, P)``, in the parameters that are sampled.
 
+        Samples by the names of other programs have a gradient by those.
+
         A model without derivatives raises ``InvalidRequest``.
         """
 

@@ -23,8 +23,8 @@ from bnserve_protocol._likelihood_parameters import CALIBRATION_NAMES, LIKELIHOO
 
 Floats = NDArray[np.float64]
 
-_OURS = frozenset((*LIKELIHOOD_NAMES, *CALIBRATION_NAMES))
-_PHASES = ("phase", "coa_phase", "phi_ref")
+OURS = frozenset((*LIKELIHOOD_NAMES, *CALIBRATION_NAMES))
+PHASES = ("phase", "coa_phase", "phi_ref")
 _OF_THE_PLANE = ("phi_12", "phi_jl")
 """Angles between spins that lie in the orbital plane, which those of a likelihood do not."""
 _ERROR = re.compile(r"recalib_(.+)_(amplitude|phase)_(\d+)")
@@ -48,14 +48,14 @@ def samples_of(batch: LikelihoodBatchLike, settings: AnalysisSettings) -> Likeli
         As these two; a time or a phase that has another meaning in the analysis.
     """
     columns = as_columns(batch)
-    if columns is None or _OURS.issuperset(columns):
+    if columns is None or OURS.issuperset(columns):
         return LikelihoodBatch.coerce(batch if columns is None else columns)
     named = dict(columns)
     ours = {name: named.pop(name) for name in CALIBRATION_NAMES if name in named}
     ours |= _calibration(named, settings.calibration)
     if "geocent_time" in named:
         ours["coalescence_time"] = _from_trigger(named, settings)
-    for phase in [name for name in _PHASES if name in named]:
+    for phase in [name for name in PHASES if name in named]:
         turned = column_of_numbers(phase, named.pop(phase), "rad")
         if not settings.phase_marginalisation:
             _check_phase(phase, named.keys() | ours, settings)

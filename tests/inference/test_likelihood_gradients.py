@@ -190,3 +190,61 @@ def test_models_without_derivatives_are_refused(data):
         likelihood(ChirpModel(), full(data)).gradients(columns(2))
     with pytest.raises(InvalidRequest, match="network"):
         likelihood(Model.load("paper"), full(data)).gradients(columns(2))
+
+
+def chirp_masses(given):
+    q = given.pop("mass_ratio")
+    given["chirp_mass"] = given.pop("total_mass") * (q / (1.0 + q) ** 2) ** 0.6
+    return given | {"mass_ratio": 1.0 / q}  # as bilby has it
+
+
+def component_masses(given):
+    q, total = given.pop("mass_ratio"), given.pop("total_mass")
+    heavier, lighter = total * q / (1.0 + q), total / (1.0 + q)
+    first = np.arange(len(q)) % 2 == 0  # the second star is the heavier one in every other row
+    given |= {"mass_1": np.where(first, heavier, lighter), "mass_2": np.where(first, lighter, heavier)}
+    one, other = given["lambda_1"], given["lambda_2"]
+    given |= {"lambda_1": np.where(first, one, other), "lambda_2": np.where(first, other, one)}
+    one, other = given.pop("chi_1"), given.pop("chi_2")
+    chi_1, chi_2 = np.where(first, one, other), np.where(first, other, one)
+    return given | {
+        "a_1": np.abs(chi_1),
+        "cos_tilt_1": np.sign(chi_1),
+        "a_2": np.abs(chi_2),
+        "cos_tilt_2": np.sign(chi_2),
+    }
+
+
+def tides(given):
+    given["luminosity_distance"], given["eta"] = given.pop("distance_mpc"), given.pop("mass_ratio")
+    given["eta"] = given["eta"] / (1.0 + given["eta"]) ** 2
+    return given | {"lambda_tilde": 400.0 + given.pop("lambda_1"), "delta_lambda_tilde": 0.1 * given.pop("lambda_2")}
+
+
+@pytest.mark.parametrize("rename", [chirp_masses, component_masses, tides])
+def test_by_the_names_that_samples_were_given_by(model, data, rename):
+    bound = likelihood(model, binned(model, data, **PHASE))
+    given = columns(6, width=0.25)
+    del given["reference_phase"]
+    given = rename(given)
+    found = bound.gradients(given)
+    assert set(found.names) == set(given)
+    steps = {
+        "mass_1": 1e-6,
+        "mass_2": 1e-6,
+        "chirp_mass": 1e-7,
+        "mass_ratio": 1e-6,
+        "eta": 3e-7,
+        "a_1": 1e-5,
+        "a_2": 1e-5,
+    }
+    steps |= {"right_ascension": 2e-5, "declination": 2e-5, "luminosity_distance": 1e-2, "distance_mpc": 1e-2}
+    steps |= {"coalescence_time": 2e-6, "total_mass": 1e-7, "lambda_tilde": 2.0, "lambda_1": 2.0, "lambda_2": 2.0}
+    for place, name in enumerate(found.names):
+        if name.startswith("cos_tilt"):
+            continue  # beyond its ends there is no spin
+        step = steps.get(name, 1e-4 if name.startswith("chi") else 1e-3)
+        moved = [weight * bound.log_likelihood(given | {name: given[name] + shift * step}) for shift, weight in CENTRAL]
+        expected = sum(moved) / step
+        np.testing.assert_allclose(found.gradient[:, place], expected, atol=1e-4 * np.abs(expected).max(), err_msg=name)
+    assert bound.gradients(LikelihoodBatch.coerce(columns(2))).names == gradient_names(bound.analysis.settings)
