@@ -110,6 +110,13 @@ def test_products_and_draws_in_json(server):
     assert "integrates over nothing" in nothing.document["detail"]
 
 
+def test_gradients_with_a_model_without_derivatives_are_refused(server):
+    body = json.dumps({"parameters": SIGNAL, "output": "gradients"})
+    refused = ask(server.address, "POST", PATH, body, content_type=JSON)
+    assert (refused.status, refused.document["code"]) == (422, "request-invalid")
+    assert "does not say that it has derivatives" in refused.document["detail"]
+
+
 @pytest.mark.parametrize("output", ["products", "draws"])
 def test_large_requests_for_more_are_divided_and_grouped_without_a_trace(server, output):
     analysis = small_analysis(phase_marginalisation=True)
