@@ -4,7 +4,6 @@ import asyncio
 import functools
 
 import astropy.units as u
-import httpx
 import msgspec
 import numpy as np
 import pandas as pd
@@ -199,30 +198,6 @@ def test_gradients_are_equal_in_bits(reach, analysis, local):
         assert (one.dtype, one.shape, one.tobytes()) == (other.dtype, other.shape, other.tobytes())
     assert np.isfinite(found.gradient).all()
     assert found.log_likelihood.tobytes() == reach(analysis).log_likelihood(batch).tobytes()
-
-
-def test_gradients_of_a_table_by_the_names_of_bilby(reach, local):
-    analysis = small_analysis(local, f_max=64.0)
-    batch = samples(3)
-    table = {name: batch[name] for name in LIKELIHOOD_NAMES if name not in ("total_mass", "distance_mpc")}
-    table |= {"luminosity_distance": batch["distance_mpc"], "chirp_mass": 0.43 * batch["total_mass"]}
-    found, here = reach(analysis).gradients(table), likelihood(local, analysis).gradients(table)
-    assert found.names == here.names == tuple(table)
-    assert found.gradient.tobytes() == here.gradient.tobytes()
-
-
-def test_gradients_without_our_client(address, local):
-    analysis = small_analysis(local, f_max=64.0)
-    parameters = SIGNAL | {"mass_ratio": [1.2, 9.0]}
-    here = likelihood(local, analysis).gradients(parameters)
-    with RemoteModel.connect(address) as model:  # which uploads it
-        assert model.likelihood(analysis).gradients(parameters).gradient.tobytes() == here.gradient.tobytes()
-    url = f"{address}/v1/models/default/likelihoods/{analysis.digest.removeprefix('sha256:')}"
-    asked = {"parameters": parameters, "output": "gradients"}
-    told = httpx.post(url, json=asked, headers={"Accept": "application/json"}).json()
-    assert tuple(told["gradient_names"]) == here.names
-    assert told["gradient"] == [here.gradient[0].tolist(), [None] * len(here.names)]
-    assert told["log_likelihood"] == [here.log_likelihood[0], None]
 
 
 def test_draws_are_equal_in_bits(reach, analysis, local):
