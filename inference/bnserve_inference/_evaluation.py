@@ -49,6 +49,8 @@ Floats = NDArray[np.float64]
 _TILE_POINTS = 2**16
 """Strain that is worked on at once, in points: a megabyte, which stays in the cache between model and contraction."""
 _MOST_ROWS = 256
+_MOST_ROWS_DIFFERENTIATED, _TILE_POINTS_DIFFERENTIATED = 1024, 2**18
+"""Derivatives do not fit the cache in any case: the more at once, the fewer calls."""
 _TILE_TIMES = 2**16
 """Sums over times that are kept at once."""
 
@@ -88,10 +90,12 @@ class LocalLikelihood:
         if self._distance is not None:
             self._fixed["distance_mpc"] = self._distance.reference
         self._tile = min(_MOST_ROWS, max(1, _TILE_POINTS // self._signals.samples))
+        self._wide_tile = min(_MOST_ROWS_DIFFERENTIATED, max(1, _TILE_POINTS_DIFFERENTIATED // self._signals.samples))
         self._times = None
         if settings.time_marginalisation is not None:
             self._times = TimeIntegral(settings, len(self._signals.frequencies))
-            self._tile = min(self._tile, max(1, _TILE_TIMES // (self._times.times * self._signals.groups)))
+            fitting = max(1, _TILE_TIMES // (self._times.times * self._signals.groups))
+            self._tile, self._wide_tile = min(self._tile, fitting), min(self._wide_tile, fitting)
         turned = self._phases
         if settings.phase_marginalisation and turned is None:
             turned = PhaseIntegral(orders(modes))
@@ -168,7 +172,7 @@ class LocalLikelihood:
             values[rows], gradient[rows] = evaluate()
             return np.where(np.isfinite(gradient[rows]).all(axis=1), values[rows], np.nan)
 
-        status = self._by_tiles(coerced, keep, differentiated.of_rows)
+        status = self._by_tiles(coerced, keep, differentiated.of_rows, self._wide_tile)
         values[status != RowStatus.OK], gradient[status != RowStatus.OK] = -np.inf, np.nan
         found = LikelihoodGradients(values, gradient, differentiated.names, status)
         return by_given_names(batch, coerced, self._analysis.settings, found)
@@ -237,15 +241,16 @@ class LocalLikelihood:
         batch: LikelihoodBatch,
         keep: Callable[[NDArray[np.intp], Any], Floats],
         ask: Callable[[LikelihoodBatch, dict[str, float]], tuple[Tile, Any]] | None = None,
+        size: int = 0,
     ) -> NDArray[np.uint8]:
         """The status of every row; ``keep`` is given the signals of those that can be evaluated, a tile at a time, or
         what ``ask`` has beside them, and returns numbers that are finite where all of a row is."""
-        ask = ask or self._signals_of
+        ask, size = ask or self._signals_of, size or self._tile
         check_batch(batch, self._analysis.settings)
         status = row_statuses(batch, self._analysis.settings, self._model.description)
         good = np.flatnonzero(status == RowStatus.OK)
-        for start in range(0, len(good), self._tile):
-            rows = good[start : start + self._tile]
+        for start in range(0, len(good), size):
+            rows = good[start : start + size]
             tile, given = ask(batch.rows(rows), self._fixed)
             found = np.array(tile.status)
             found[tile.empty & (found == RowStatus.OK)] = RowStatus.OUT_OF_BAND
