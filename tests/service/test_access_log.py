@@ -13,6 +13,7 @@ from bnserve_protocol.wire import encode_likelihood_request
 from bnserve_service import Token
 from bnserve_service.telemetry.callers import OTHERS, Callers
 from bnserve_service.telemetry.log import JsonLines
+from tests.service import networks
 from tests.service.asking import GW170817, MSGPACK, ask, evaluate, question
 from tests.service.chirp import ChirpModel, QuickChirpModel, until
 from tests.service.injections import name_of, samples, small_analysis, upload
@@ -93,6 +94,14 @@ def test_a_likelihood_names_its_analysis(start, lines):
     assert (uploaded["path"], uploaded["caller"], uploaded["rows"]) == (f"/v1/analyses/{name}", "anonymous", 0)
     assert uploaded["bytes_in"] > 1000
     assert (asked["analysis"], asked["rows"], asked["bytes_in"]) == (name, 2, len(body))
+
+
+def test_a_forecast_names_its_network(start, lines):
+    server = start(ChirpModel(), access_log=True)
+    _, sha256 = networks.put(server.address, networks.network())
+    asked = {"parameters": networks.BINARY, "output": "snr"}
+    assert networks.forecast(server.address, sha256, asked, model="chirp").status == 200
+    assert (lines(2)[1]["network"], lines(2)[1]["rows"]) == (sha256, 1)
 
 
 def test_a_refusal_says_which(server, lines):

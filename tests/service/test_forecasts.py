@@ -127,6 +127,8 @@ def test_rows_that_are_none_are_flagged_and_the_others_are_as_they_are(address, 
     body = msgpack.packb(ONE | {"parameters": BINARY | {"right_ascension": float("nan")}})
     answer = ask(address, "POST", f"/v1/models/default/forecasts/{sha256}", body, content_type=MSGPACK, accept=JSON)
     assert answer.document["status"] == [RowStatus.NOT_FINITE]
+    above = evaluate(address, sha256, ONE | {"reference_frequency": 5e4}).document
+    assert above["status"] == [RowStatus.OUT_OF_BAND]
 
 
 def test_what_is_not_measured_is_said(address):
@@ -206,7 +208,7 @@ BAD_QUESTIONS = {
     "other coordinates": ({"coordinates": ["colour"] * 10}, 422, "request-invalid", "colour"),
     "a mode that there is not": ({"modes": [[5, 5]]}, 422, "analysis-invalid", "(5, 5)"),
     "no modes": ({"modes": []}, 422, "request-invalid", "none"),
-    "a frequency that is none": ({"reference_frequency": -1.0}, 422, "frequencies-invalid", "frequenc"),
+    "a frequency that is none": ({"reference_frequency": -1.0}, 422, "request-invalid", "reference frequency"),
     "another alignment": ({"alignment": "sideways"}, 400, "body-undecodable", "sideways"),
     "another output": ({"output": "everything"}, 400, "body-undecodable", "everything"),
     "a field more": ({"colour": 1}, 400, "body-undecodable", "colour"),

@@ -41,6 +41,8 @@ _NUMBERS = 2**18
 """Complex numbers of derivatives at once: 4 MiB, which stay near the processor."""
 _ROWS = 1024
 """Whose coordinates are found at once."""
+_REFERENCES = 0.01, 1e6
+"""Hz; lower, double precision leaves nothing of a phase."""
 
 
 class Differentiable(Protocol):
@@ -83,12 +85,7 @@ def forecast(
         return remote
     batch = forecast_batch(samples)
     names, widths = options.names, dict(options.priors or {})
-    for name, width in widths.items():
-        if name not in names or not 0.0 < width < np.inf:
-            raise InvalidRequest(
-                f"A prior is a positive width of one of {', '.join(names)}; got {width!r} for '{str(name)[:80]}'.",
-                errors=[FieldError(reason="no prior", parameter=str(name)[:80])],
-            )
+    _check(options)
     modes = chosen_modes(options.modes, model.description)
     nodes = nodes_of(network, orders(modes))
     factorisation = Factorisation(network, nodes, modes)
@@ -98,7 +95,7 @@ def forecast(
     roots, squares = [np.zeros((0, len(names), len(names)))], [np.zeros((0, len(network.noise)))]
     status = [np.zeros(0, np.uint8)]
     for block in batch.split(_ROWS):
-        jacobian = _jacobian(model, block, options)
+        jacobian, held = _jacobian(model, block, options)
         for start in range(0, len(block), size):
             rows = slice(start, start + size)
             part = block.rows(rows)
@@ -106,35 +103,59 @@ def forecast(
             factored = factorisation(found, part, jacobian[rows], inverse_widths)
             roots.append(factored.root)
             squares.append(factored.squares)
-            status.append(found.status)
+            status.append(np.maximum(found.status, held[rows]))
     return _forecast(names, model, batch, np.concatenate(roots), np.concatenate(squares), np.concatenate(status))
 
 
-def _jacobian(model: Differentiable, block: LikelihoodBatch, options: ForecastOptions) -> Floats:
-    """Of parameters by coordinates, ``(N, 13, 13)``: those of the sky are kept. Rows that are not evaluated stand for
-    nothing.
+def _check(options: ForecastOptions) -> None:
+    """Refuse priors and a reference frequency that are none."""
+    for name, width in (options.priors or {}).items():
+        if name not in options.names or not 0.0 < width < np.inf:
+            raise InvalidRequest(
+                f"A prior is a positive width of one of {', '.join(options.names)}; got {width!r} for "
+                f"'{str(name)[:80]}'.",
+                errors=[FieldError(reason="no prior", parameter=str(name)[:80])],
+            )
+    least, most = _REFERENCES
+    if not least <= options.reference_frequency <= most:
+        raise InvalidRequest(
+            f"The reference frequency of a forecast is {least:g} to {most:g} Hz; got {options.reference_frequency!r}.",
+            errors=[FieldError(reason="no reference", parameter="reference_frequency")],
+        )
 
-    The phase of the (2, 2) at the reference frequency is held while other coordinates change.
+
+def _jacobian(
+    model: Differentiable, block: LikelihoodBatch, options: ForecastOptions
+) -> tuple[Floats, NDArray[np.uint8]]:
+    """Of parameters by coordinates, ``(N, 13, 13)``: those of the sky are kept; and a RowStatus each. Rows that are not
+    evaluated stand for nothing.
+
+    The phase of the (2, 2) at the reference frequency, which has to be in the band, is held while other coordinates
+    change.
     """
     plain = tuple("time_shift" if name == "coalescence_time" else name for name in options.coordinates)
-    alone = EvaluationOptions(modes=(QUADRUPOLE,), alignment=options.alignment, out_of_domain="flag")  # type: ignore[arg-type]  # checked there
+    how = {"modes": (QUADRUPOLE,), "alignment": options.alignment, "out_of_domain": "flag", "above_band": "error"}
+    alone = EvaluationOptions(**how)  # type: ignore[arg-type]  # checked there
     there = model.predict_derivatives(np.array([options.reference_frequency]), block.waveform_batch(), options=alone)
     good = np.flatnonzero(there.status == RowStatus.OK)
     out, count = np.zeros((len(block), len(NAMES), len(NAMES))), len(PARAMETER_NAMES)
     out[:, range(count, len(NAMES)), range(count, len(NAMES))] = 1.0
     if not len(good):
-        return out
+        return out, there.status
     out[good, :count, :count] = coordinate_jacobian(block.waveform_batch().rows(good), plain)
     slopes = (there.derivatives[good, 0, :, 0] / there.h[good, 0]).imag
     changes = out[good][:, [NAMES.index(name) for name in DERIVATIVE_NAMES]]
     out[good, NAMES.index("reference_phase")] -= (slopes[:, :, None] * changes).sum(axis=1)
-    return out
+    return out, there.status
 
 
 def _forecast(
     names: tuple[str, ...], model: Differentiable, batch: LikelihoodBatch, root: Floats, squares: Floats,
     status: NDArray[np.uint8],
 ) -> Forecast:  # fmt: skip
+    status = np.where(np.isfinite(squares).all(axis=1), status, np.maximum(status, RowStatus.NOT_FINITE)).astype(
+        np.uint8
+    )
     bad = status != RowStatus.OK
     root[bad], squares[bad] = np.nan, np.nan
     found = condition(root)

@@ -15,6 +15,7 @@ from bnserve_protocol import (
     LikelihoodBatchLike,
     Mode,
     ParameterBatch,
+    RowStatus,
     SignalToNoise,
     WaveformModel,
     forecast_batch,
@@ -64,8 +65,10 @@ def signal_to_noise(
         phases = _phases(model, nodes, waveforms, modes, options.alignment) if network.moving else None
         squares.append(factorisation.squares(found, phases, part))
         status.append(found.status)
-    whole = np.concatenate(squares)
-    return SignalToNoise(np.sqrt(whole.sum(axis=1)), np.sqrt(whole), np.concatenate(status))
+    whole, flags = np.concatenate(squares), np.concatenate(status)
+    lost = ~np.isfinite(whole).all(axis=1)
+    whole[lost], flags[lost] = np.nan, np.maximum(flags[lost], RowStatus.NOT_FINITE)
+    return SignalToNoise(np.sqrt(whole.sum(axis=1)), np.sqrt(whole), flags)
 
 
 def _phases(

@@ -52,6 +52,7 @@ def fields_of(method: str, context: RequestContext, seconds: float | None = None
         "model": "" if model is None else f"{model.name} {model.version}",
         "model_digest": "" if model is None else model.digest,
         "analysis": context.path.get("sha256", "") if "likelihoods" in context.route else "",
+        "network": context.path.get("sha256", "") if "forecasts" in context.route else "",
         "rows": context.rows,
         "bytes_in": context.bytes_in,
         "bytes_out": context.bytes_out,

@@ -27,7 +27,10 @@ _NAMES = {
     "bytes_out": "http.response.body.size",
     "peer": "client.address",
     "error": "error.type",
-    **{name: f"bnserve.{name}" for name in ("request_id", "caller", "model", "model_digest", "analysis", "rows")},
+    **{
+        name: f"bnserve.{name}"
+        for name in ("request_id", "caller", "model", "model_digest", "analysis", "network", "rows")
+    },
 }
 """Attributes by the names of the log's fields: OpenTelemetry's conventions for HTTP servers, and those of our own."""
 _NOBODY_ASKS = ("/v2/", "/metrics")

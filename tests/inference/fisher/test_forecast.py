@@ -21,6 +21,7 @@ from bnserve_protocol import (
     LikelihoodBatch,
     LikelihoodParameters,
     RowStatus,
+    decode_network,
 )
 from bnserve_surrogate import Model
 
@@ -291,7 +292,7 @@ def test_errors_are_those_of_extended_precision(model):
     rows = factored(model, own, modes, nodes_of(own, orders(modes)), batch, whitened=True).whitened[0]
     options = ForecastOptions(modes=modes)
     ours = forecast(model, own, batch, options)
-    jacobian = _jacobian(model, batch, options)[0].astype(np.longdouble)
+    jacobian = _jacobian(model, batch, options)[0][0].astype(np.longdouble)
     columns = rows.swapaxes(1, 2).reshape(-1, len(NAMES)).astype(np.longdouble) @ jacobian
     scale = np.sqrt((columns**2).sum(axis=0))
     columns, root = columns / scale, np.zeros((len(NAMES), len(NAMES)), np.longdouble)
@@ -335,3 +336,46 @@ def test_curves_are_read(tmp_path):
         NoiseCurve.read(file)
     with pytest.raises(AnalysisInvalid, match="no noise curve 'ET-E'; known are ET-D"):
         NoiseCurve.named("ET-E")
+
+
+def test_what_leaves_the_range_of_numbers_or_the_band_is_flagged(model):
+    rows = [dataclasses.replace(BINARY, distance_mpc=distance) for distance in (100.0, 1e-300)]
+    heavy = dataclasses.replace(BINARY, total_mass=95.0)
+    own, options = network(), ForecastOptions(modes=[(2, 2)], reference_frequency=300.0)
+    found = forecast(model, own, [*rows, heavy], options)
+    assert found.status.tolist() == [RowStatus.OK, RowStatus.NOT_FINITE, RowStatus.OUT_OF_BAND]
+    assert np.isnan(found.snr[1:]).all()
+    assert np.isfinite(found.root[0]).all()
+    assert signal_to_noise(model, own, [*rows, heavy], options).status.tolist() == [0, RowStatus.NOT_FINITE, 0]
+
+
+def test_priors_and_references_that_are_no_numbers_of_use_are_refused(model):
+    for width in (0.0, -1.0, np.inf, np.nan):
+        with pytest.raises(InvalidRequest, match="positive width"):
+            forecast(model, network(), BINARY, ForecastOptions(priors={"chi_1": width}))
+    for reference in (0.0, 1e-300, 1e10, np.nan):
+        with pytest.raises(InvalidRequest, match="reference frequency"):
+            forecast(model, network(), BINARY, ForecastOptions(reference_frequency=reference))
+
+
+def test_signals_that_last_for_longer_than_can_be_integrated_are_refused(model):
+    low = Network(["E1"], [NoiseCurve.of([1e-6, 1e5], [1e-24, 1e-24])], 0.01, 2048.0, TRIGGER)
+    with pytest.raises(AnalysisInvalid, match="higher f_min"):
+        forecast(model, low, BINARY)
+
+
+def test_nobodys_forecasts_are_none(model):
+    found = forecast(model, network(), LikelihoodBatch(np.empty((0, 13))))
+    assert found.root.shape == (0, 13, 13)
+    assert found.covariance.shape == (0, 13, 13)
+    assert found.detector_snr.shape == (0, 3)
+
+
+def test_a_network_is_what_its_description_says():
+    arms = Detector.named("CE40", finite_arms=True)
+    own = network([arms, "H1"], moving=False)
+    again = Network.of(decode_network(own.description.body))
+    assert again.description.digest == own.description.digest
+    assert [site.name for site in again.sites] == ["CE40", "H1"]
+    assert again.sites[0].arms.tolist() == arms.arms.tolist()
+    assert not again.moving
