@@ -74,7 +74,7 @@ class Gradients:
         if differentiate is None:
             raise InvalidRequest(
                 f"The model '{model.description.name}' does not say that it has derivatives: ask for log-likelihoods, "
-                "or take a model whose regressor is a polynomial, as those of 'default', 'fast' and 'wide' are."
+                "or take one that has, as all shipped ones do."
             )
         self._differentiate, self._signals, self._times, self._marginal = differentiate, signals, times, marginal
         self._settings, self._modes = analysis.settings, modes_of(analysis.settings, model.description)
