@@ -56,12 +56,13 @@ def signal_over_mode(detector: Any, place: Place, mode: Mode, low: float, high: 
     duration = 2.0 ** np.ceil(np.log2(1.2 * mode.seconds(first) + 2.0 * _AFTER))
     rate = 2.0 ** np.ceil(np.log2(2.2 * (last - first)))
     count = round(duration * rate)
-    base = np.floor(first * duration) / duration
-    f = base + np.arange(count) / duration
-    used = f < last
+    # In the middle, so that samples turn slowly whichever end of the octave is looked at: they are interpolated.
+    base = np.floor(0.5 * (first + last) * duration) / duration
+    f = base + np.arange(-count // 2, count // 2) / duration
+    used = (f > first) & (f < last)
     spectrum = np.zeros(count, dtype=np.complex128)
     spectrum[used] = mode.strain(f[used]) * _faded(f[used], first, low, high, last)
-    samples = np.fft.ifft(spectrum) * rate
+    samples = np.fft.ifft(np.fft.ifftshift(spectrum)) * rate
     # Arrivals at the detector, from the coalescence at the centre of the Earth; what lies before it wraps around.
     t = np.arange(count) / rate
     t[t >= _AFTER] -= duration
@@ -69,7 +70,7 @@ def signal_over_mode(detector: Any, place: Place, mode: Mode, low: float, high: 
     emitted = t - delay
     there = _interpolated(samples, (emitted * rate) % count) * np.exp(2j * np.pi * base * emitted)
     signal = (plus * mode.plus + cross * mode.cross) * there
-    found = np.fft.fft(signal * np.exp(-2j * np.pi * base * t)) / rate
+    found = np.fft.fftshift(np.fft.fft(signal * np.exp(-2j * np.pi * base * t))) / rate
     kept = (f >= low) & (f <= high)
     found = found * np.exp(-2j * np.pi * f * place.coalescence_time)
     return f[kept], found[kept] / spectrum[kept]

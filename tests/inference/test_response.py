@@ -97,7 +97,7 @@ def rows_of(batch):
 
 @pytest.mark.parametrize("name", ["E1", "L1"])
 @pytest.mark.parametrize("mode", [(2, 2), (3, 3), (2, 1)])
-@pytest.mark.parametrize(("low", "high"), [(12.0, 20.0), (60.0, 110.0), (500.0, 900.0)])
+@pytest.mark.parametrize(("low", "high"), [(12.0, 20.0), (60.0, 110.0), (70.0, 137.0), (500.0, 900.0)])
 def test_signals_are_those_of_brute_force(seven, name, mode, low, high):
     options = EvaluationOptions(alignment="merger", modes=(mode,))
     binary = LikelihoodBatch.coerce(NEAR).waveform_batch()
