@@ -13,8 +13,13 @@ from bnserve_surrogate.kernel._layout import (
     padded,
 )
 from bnserve_surrogate.kernel._loader import Workspace, kernel_bytes, load_assembly, load_kernel
-from bnserve_surrogate.kernel._mode import NODE_TOLERANCE, KernelModel, build_kernel_model
-from bnserve_surrogate.kernel.modes import KernelModes, ModePlan, RatioModel, build_ratio_model, plan_modes
+from bnserve_surrogate.kernel._mode import (
+    NODE_TOLERANCE,
+    KernelModel,
+    build_kernel_model,
+    second_derivative_operator,
+)
+from bnserve_surrogate.kernel.modes import KernelModes, ModePlan, RatioModel, build_ratio_model, harmonic, plan_modes
 
 __all__ = [
     "ACTIVATIONS",
@@ -35,9 +40,11 @@ __all__ = [
     "build_kernel_model",
     "build_ratio_model",
     "evaluate",
+    "harmonic",
     "kernel_bytes",
     "load_assembly",
     "load_kernel",
     "padded",
     "plan_modes",
+    "second_derivative_operator",
 ]

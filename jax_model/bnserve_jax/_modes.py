@@ -1,0 +1,119 @@
+"""The modes of one binary, and their sums."""
+
+from __future__ import annotations
+
+from math import pi
+from typing import NamedTuple
+
+import jax.numpy as jnp
+import numpy as np
+from jax import Array
+
+from bnserve_jax._carrier import Alignment, Band, CarrierRow, evaluate, evaluate_beyond
+from bnserve_jax._points import Grid, horner
+from bnserve_jax._parameters import Binary
+from bnserve_jax._regression import coordinates, outputs
+from bnserve_jax._splines import Knots
+from bnserve_jax._weights import Weights, name_of
+from bnserve_protocol import SOLAR_MASS_SECONDS, Mode
+from bnserve_surrogate.kernel import EDGE, harmonic
+
+
+class Form(NamedTuple):
+    """What is known of a model before its arrays: compiled into what evaluates it."""
+
+    coordinates: str
+    activation: str
+    least_lambda: float
+    band: Band
+    degrees: tuple[tuple[str, int], ...]
+    """Of the Chebyshev polynomials, by the name of the mode."""
+    powers: tuple[tuple[str, int], ...]
+    """Of v in the ratios."""
+
+
+class Row(NamedTuple):
+    """One binary, ready to be evaluated at any frequencies."""
+
+    mass: Array
+    """In seconds."""
+    carrier: CarrierRow
+    ratios: dict[str, Array]
+    """``(cells, 8)``: of both parts of each mode's ratio to its carrier."""
+
+
+def prepare(weights: Weights, form: Form, binary: Binary, modes: tuple[Mode, ...], alignment: Alignment) -> Row:
+    """Everything of a binary that does not depend on frequency."""
+    carrier, degrees = weights.carrier, dict(form.degrees)
+    u = coordinates(carrier, binary, form.coordinates, form.least_lambda)
+    own = outputs(carrier.pair.regressor, u, degrees["22"], form.activation)
+    row = CarrierRow.of(binary, own @ carrier.pair.synthesis, own @ carrier.ends, form.band, alignment)
+    ratios = {}
+    for name in (name_of(mode) for mode in modes if mode != (2, 2)):
+        pair = weights.ratios[name]
+        ratios[name] = (outputs(pair.regressor, u, degrees[name], form.activation) @ pair.synthesis).reshape(-1, 8)
+    return Row(binary["total_mass"] * SOLAR_MASS_SECONDS, row, ratios)
+
+
+def carrier_of(weights: Weights, form: Form, row: Row, grid: Grid, order: int) -> tuple[Array, Array]:
+    """Amplitude and phase of the (2, 2) at x = 2 M f / m; the band's end in M f is that of all modes."""
+    mass, knots = row.mass * (2.0 / order), weights.carrier.pair.knots
+    one = evaluate_beyond if order == 1 else evaluate
+    amplitude, phase = one(row.carrier, knots, form.band, grid, mass)
+    inside = grid.f * row.mass <= form.band.last * (1.0 + EDGE)
+    return jnp.where(inside, amplitude, 0.0 * row.carrier.series.frozen), phase
+
+
+def ratio_of(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) -> tuple[Array, Array]:
+    """v^p R of a mode, real and imaginary part; constant outside its nodes."""
+    name, mass = name_of(mode), row.mass * (2.0 / mode[1])
+    knots = weights.ratios[name].knots
+    cell, t = knots.locate(jnp.clip(grid.log + jnp.log(mass), knots.places[0], knots.places[-1]))
+    c = row.ratios[name][cell]
+    v = jnp.minimum(grid.cube_root * (pi * mass) ** (1.0 / 3.0), (pi * form.band.last) ** (1.0 / 3.0))
+    factor = v ** dict(form.powers)[name]
+    return factor * horner([c[:, k] for k in range(4)], t), factor * horner([c[:, k] for k in range(4, 8)], t)
+
+
+def strain(amplitude: Array, phase: Array, order: int) -> Array:
+    """A exp(i m phi / 2)."""
+    turns = 0.5 * order * phase
+    return jnp.asarray(amplitude * (jnp.cos(turns) + 1j * jnp.sin(turns)))
+
+
+def polarizations(
+    weights: Weights, form: Form, row: Row, grid: Grid, modes: tuple[Mode, ...], inclination: Array
+) -> tuple[Array, Array]:
+    """h_plus and h_cross, complex ``(M,)`` in 1/Hz: the sum over the modes and their mirror images."""
+    plus, cross = jnp.zeros(()), jnp.zeros(())
+    for order in sorted({mode[1] for mode in modes}):
+        amplitude, phase = carrier_of(weights, form, row, grid, order)
+        carrier = strain(amplitude, phase, order)
+        own, other = jnp.zeros(()), jnp.zeros(())
+        for mode in (mode for mode in modes if mode[1] == order):
+            even, odd = factors(mode, inclination)
+            ratio = _complex_ratio(weights, form, row, grid, mode)
+            own, other = own + even * ratio, other + odd * ratio
+        plus, cross = plus + own * carrier, cross - 1j * other * carrier
+    return plus, cross
+
+
+def _complex_ratio(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) -> Array:
+    if mode == (2, 2):
+        return jnp.ones(())
+    real, imaginary = ratio_of(weights, form, row, grid, mode)
+    return jnp.asarray(real + 1j * imaginary)
+
+
+def mode_strain(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) -> Array:
+    """h_lm, complex ``(M,)``, normalised as the strain of the (2, 2) of a face-on source."""
+    carrier = strain(*carrier_of(weights, form, row, grid, mode[1]), mode[1])
+    return carrier * _complex_ratio(weights, form, row, grid, mode)
+
+
+def factors(mode: Mode, inclination: Array) -> tuple[Array, Array]:
+    """What a mode counts in h_plus, and, over -i, in h_cross: see :func:`bnserve_surrogate.kernel.harmonic`."""
+    coefficients, c = harmonic(*mode), jnp.cos(inclination)
+    root = jnp.sin(inclination) if mode[1] % 2 else jnp.ones(())
+    even, odd = (coefficients * (np.arange(5) % 2 == parity) for parity in (0, 1))
+    return root * jnp.polyval(jnp.asarray(even[::-1]), c), root * jnp.polyval(jnp.asarray(odd[::-1]), c)
