@@ -9,8 +9,8 @@ import jax
 import jax.numpy as jnp
 from jax import Array
 
-from bnserve_jax._points import Grid, horner, step
 from bnserve_jax._parameters import Binary
+from bnserve_jax._points import Grid, step
 from bnserve_jax._series import Series
 from bnserve_jax._splines import Knots
 from bnserve_protocol import SOLAR_MASS_SECONDS
@@ -32,7 +32,7 @@ class CarrierRow(NamedTuple):
 
     series: Series
     cubics: Array
-    """``(cells, 8)``."""
+    """``(8, cells)``."""
     edge: Array
     """``(3,)``: both residuals at the first knots, and the phase's slope in x there."""
     constant: Array
@@ -48,14 +48,7 @@ class CarrierRow(NamedTuple):
             constant = constant + series.legendre(band.start)
         shift = 2.0 * pi * binary["time_shift"] / (binary["total_mass"] * SOLAR_MASS_SECONDS)
         edge = jnp.stack([ends[0], ends[1], -ends[3]])
-        return cls(series, cubics.reshape(-1, 8), edge, constant, shift - ends[at + 1])
-
-
-def residuals(row: CarrierRow, knots: Knots, x: Array) -> tuple[Array, Array]:
-    """Both splines at x = log(M f)."""
-    cell, t = knots.locate(x)
-    c = row.cubics[cell]
-    return horner([c[:, k] for k in range(4)], t), horner([c[:, k] for k in range(4, 8)], t)
+        return cls(series, cubics.reshape(8, -1), edge, constant, shift - ends[at + 1])
 
 
 def evaluate(row: CarrierRow, knots: Knots, band: Band, grid: Grid, mass: Array) -> tuple[Array, Array]:
@@ -65,7 +58,7 @@ def evaluate(row: CarrierRow, knots: Knots, band: Band, grid: Grid, mass: Array)
     """
     x = grid.f * mass
     bare, psi = row.series.evaluate(grid, mass)
-    a, p = residuals(row, knots, grid.log + jnp.log(mass))
+    a, p = knots.evaluate(row.cubics, grid.log + jnp.log(mass))
     below = x < band.first
     width = FREEZING_END - FREEZING_START
     rising = step(jnp.where(below, 2.0 / band.first * x - 1.0, (x - FREEZING_START) / width))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from functools import partial
 from math import pi
 from typing import Any, NamedTuple, Self
@@ -15,7 +15,7 @@ from jax.typing import ArrayLike
 
 from bnserve_jax._carrier import Alignment, Band
 from bnserve_jax._modes import Form, Row, carrier_of, mode_strain, polarizations, prepare
-from bnserve_jax._parameters import Binary, BinaryLike, as_binary, as_frequencies, is_evaluated
+from bnserve_jax._parameters import Binary, BinaryLike, as_binary, as_frequencies, is_evaluated, named_parameters
 from bnserve_jax._points import Grid
 from bnserve_jax._precision import require_double_precision
 from bnserve_jax._weights import Tensors, Weights, read_weights
@@ -61,9 +61,7 @@ class Model:
         return cls.load("default")
 
     @classmethod
-    def load(
-        cls, name: str, version: str = "stable", store: str | os.PathLike[str] | ModelStore | None = None
-    ) -> Self:
+    def load(cls, name: str, version: str = "stable", store: str | os.PathLike[str] | ModelStore | None = None) -> Self:
         """A model from a store; None is that of the models that ship with the package.
 
         Raises
@@ -152,8 +150,8 @@ class Model:
     def _each(self, evaluate: Any, chosen: Chosen, frequencies: ArrayLike, parameters: BinaryLike) -> Any:
         """Evaluate one binary, or each of an array of them."""
         require_double_precision()
-        f = as_frequencies(frequencies)
-        return _compiled(evaluate, chosen, self._weights, f, as_binary(parameters))
+        grid = Grid.of(as_frequencies(frequencies))
+        return _compiled(evaluate, chosen, self._weights, grid, named_parameters(parameters))
 
 
 class Chosen(NamedTuple):
@@ -166,8 +164,8 @@ class Chosen(NamedTuple):
 
 
 @partial(jax.jit, static_argnums=(0, 1))
-def _compiled(evaluate: Any, chosen: Chosen, weights: Weights, f: Array, binaries: Binary) -> Any:
-    grid = Grid.of(f)
+def _compiled(evaluate: Any, chosen: Chosen, weights: Weights, grid: Grid, parameters: dict[str, ArrayLike]) -> Any:
+    binaries = as_binary(parameters)
 
     def one(binary: Binary) -> Any:
         return evaluate(chosen, weights, grid, binary)

@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 from math import pi
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 import jax.numpy as jnp
 import numpy as np
-from jax import Array
+from jax import Array, lax
 
 from bnserve_jax._carrier import Alignment, Band, CarrierRow, evaluate, evaluate_beyond
-from bnserve_jax._points import Grid, horner
+from bnserve_jax._elementary import sine_cosine
 from bnserve_jax._parameters import Binary
+from bnserve_jax._points import Grid
 from bnserve_jax._regression import coordinates, outputs
-from bnserve_jax._splines import Knots
 from bnserve_jax._weights import Weights, name_of
 from bnserve_protocol import SOLAR_MASS_SECONDS, Mode
 from bnserve_surrogate.kernel import EDGE, harmonic
+
+Complex: TypeAlias = tuple[Array, Array]
+"""Real and imaginary part: compilers make vectors of real numbers."""
 
 
 class Form(NamedTuple):
@@ -39,7 +42,7 @@ class Row(NamedTuple):
     """In seconds."""
     carrier: CarrierRow
     ratios: dict[str, Array]
-    """``(cells, 8)``: of both parts of each mode's ratio to its carrier."""
+    """``(8, cells)``: of both parts of each mode's ratio to its carrier."""
 
 
 def prepare(weights: Weights, form: Form, binary: Binary, modes: tuple[Mode, ...], alignment: Alignment) -> Row:
@@ -51,7 +54,7 @@ def prepare(weights: Weights, form: Form, binary: Binary, modes: tuple[Mode, ...
     ratios = {}
     for name in (name_of(mode) for mode in modes if mode != (2, 2)):
         pair = weights.ratios[name]
-        ratios[name] = (outputs(pair.regressor, u, degrees[name], form.activation) @ pair.synthesis).reshape(-1, 8)
+        ratios[name] = (outputs(pair.regressor, u, degrees[name], form.activation) @ pair.synthesis).reshape(8, -1)
     return Row(binary["total_mass"] * SOLAR_MASS_SECONDS, row, ratios)
 
 
@@ -64,51 +67,52 @@ def carrier_of(weights: Weights, form: Form, row: Row, grid: Grid, order: int) -
     return jnp.where(inside, amplitude, 0.0 * row.carrier.series.frozen), phase
 
 
-def ratio_of(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) -> tuple[Array, Array]:
-    """v^p R of a mode, real and imaginary part; constant outside its nodes."""
+def ratio_of(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) -> Complex:
+    """v^p R of a mode, constant outside its nodes; one for the (2, 2)."""
+    if mode == (2, 2):
+        return jnp.ones(()), jnp.zeros(())
     name, mass = name_of(mode), row.mass * (2.0 / mode[1])
     knots = weights.ratios[name].knots
-    cell, t = knots.locate(jnp.clip(grid.log + jnp.log(mass), knots.places[0], knots.places[-1]))
-    c = row.ratios[name][cell]
+    x = jnp.clip(grid.log + jnp.log(mass), knots.places[0], knots.places[-1])
+    real, imaginary = knots.evaluate(row.ratios[name], x)
     v = jnp.minimum(grid.cube_root * (pi * mass) ** (1.0 / 3.0), (pi * form.band.last) ** (1.0 / 3.0))
     factor = v ** dict(form.powers)[name]
-    return factor * horner([c[:, k] for k in range(4)], t), factor * horner([c[:, k] for k in range(4, 8)], t)
+    return factor * real, factor * imaginary
 
 
-def strain(amplitude: Array, phase: Array, order: int) -> Array:
+def turned(amplitude: Array, phase: Array, order: int) -> Complex:
     """A exp(i m phi / 2)."""
-    turns = 0.5 * order * phase
-    return jnp.asarray(amplitude * (jnp.cos(turns) + 1j * jnp.sin(turns)))
+    sine, cosine = sine_cosine(0.5 * order * phase)
+    return amplitude * cosine, amplitude * sine
 
 
 def polarizations(
     weights: Weights, form: Form, row: Row, grid: Grid, modes: tuple[Mode, ...], inclination: Array
 ) -> tuple[Array, Array]:
     """h_plus and h_cross, complex ``(M,)`` in 1/Hz: the sum over the modes and their mirror images."""
-    plus, cross = jnp.zeros(()), jnp.zeros(())
+    plus = cross = (jnp.zeros(()), jnp.zeros(()))
     for order in sorted({mode[1] for mode in modes}):
-        amplitude, phase = carrier_of(weights, form, row, grid, order)
-        carrier = strain(amplitude, phase, order)
-        own, other = jnp.zeros(()), jnp.zeros(())
+        carrier = turned(*carrier_of(weights, form, row, grid, order), order)
+        own = other = (jnp.zeros(()), jnp.zeros(()))
         for mode in (mode for mode in modes if mode[1] == order):
             even, odd = factors(mode, inclination)
-            ratio = _complex_ratio(weights, form, row, grid, mode)
-            own, other = own + even * ratio, other + odd * ratio
-        plus, cross = plus + own * carrier, cross - 1j * other * carrier
-    return plus, cross
-
-
-def _complex_ratio(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) -> Array:
-    if mode == (2, 2):
-        return jnp.ones(())
-    real, imaginary = ratio_of(weights, form, row, grid, mode)
-    return jnp.asarray(real + 1j * imaginary)
+            real, imaginary = ratio_of(weights, form, row, grid, mode)
+            own = own[0] + even * real, own[1] + even * imaginary
+            other = other[0] + odd * real, other[1] + odd * imaginary
+        first, second = product(own, carrier), product(other, carrier)
+        plus, cross = (plus[0] + first[0], plus[1] + first[1]), (cross[0] + second[1], cross[1] - second[0])
+    return lax.complex(*plus), lax.complex(*cross)
 
 
 def mode_strain(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) -> Array:
     """h_lm, complex ``(M,)``, normalised as the strain of the (2, 2) of a face-on source."""
-    carrier = strain(*carrier_of(weights, form, row, grid, mode[1]), mode[1])
-    return carrier * _complex_ratio(weights, form, row, grid, mode)
+    carrier = turned(*carrier_of(weights, form, row, grid, mode[1]), mode[1])
+    return lax.complex(*product(ratio_of(weights, form, row, grid, mode), carrier))
+
+
+def product(one: Complex, other: Complex) -> Complex:
+    """Of two complex numbers."""
+    return one[0] * other[0] - one[1] * other[1], one[0] * other[1] + one[1] * other[0]
 
 
 def factors(mode: Mode, inclination: Array) -> tuple[Array, Array]:

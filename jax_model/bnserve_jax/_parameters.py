@@ -7,9 +7,11 @@ from math import pi
 from typing import TypeAlias
 
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
 from jax.core import Tracer
 from jax.typing import ArrayLike
+from numpy.typing import NDArray
 
 from bnserve_protocol import (
     IN_PLANE_NAMES,
@@ -20,7 +22,6 @@ from bnserve_protocol import (
     InvalidFrequencies,
     InvalidParameters,
     ParametersWithExtrinsic,
-
 )
 from bnserve_protocol._batches import check_names
 from bnserve_surrogate.kernel import LEAST_MF, MOST_PHASE
@@ -31,15 +32,15 @@ BinaryLike: TypeAlias = Mapping[str, ArrayLike] | ParametersWithExtrinsic
 """Numbers or arrays of one shape by name; those with a default may be left out."""
 
 
-def as_binary(given: BinaryLike) -> Binary:
-    """Parameters as arrays.
+def named_parameters(given: BinaryLike) -> dict[str, ArrayLike]:
+    """Parameters by name, as they are; those with a default may be missing.
 
     Raises
     ------
     InvalidParameters
         A name is unknown or missing, or spins are in the orbital plane.
     """
-    named = _fields(given) if isinstance(given, ParametersWithExtrinsic) else given
+    named = _fields(given) if isinstance(given, ParametersWithExtrinsic) else dict(given)
     in_plane = [name for name in named if name in IN_PLANE_NAMES]
     if in_plane:
         raise InvalidParameters(
@@ -48,27 +49,32 @@ def as_binary(given: BinaryLike) -> Binary:
             errors=[FieldError(reason="not known to the model in JAX", parameter=in_plane[0])],
         )
     check_names(named, PARAMETER_NAMES)
+    return named
+
+
+def as_binary(named: Mapping[str, ArrayLike]) -> Binary:
+    """All parameters, as arrays of one shape."""
     values = [jnp.asarray(named.get(name, PARAMETER_DEFAULTS.get(name)), jnp.float64) for name in PARAMETER_NAMES]
     return dict(zip(PARAMETER_NAMES, jnp.broadcast_arrays(*values), strict=True))
 
 
-def _fields(binary: ParametersWithExtrinsic) -> Mapping[str, ArrayLike]:
+def _fields(binary: ParametersWithExtrinsic) -> dict[str, ArrayLike]:
     spins = {name: getattr(binary, name) for name in IN_PLANE_NAMES if getattr(binary, name) != 0.0}
     return {name: getattr(binary, name) for name in PARAMETER_NAMES} | spins
 
 
-def as_frequencies(given: ArrayLike) -> Array:
-    """Frequencies in Hz, ``(M,)``.
+def as_frequencies(given: ArrayLike) -> Array | NDArray[np.float64]:
+    """Frequencies in Hz, ``(M,)``: of numpy where their values are known.
 
     Raises
     ------
     InvalidFrequencies
         They are no list, or, where their values are known, not positive and finite.
     """
-    f = jnp.asarray(given, jnp.float64)
+    f = given if isinstance(given, Tracer) else np.asarray(given, np.float64)
     if f.ndim != 1 or not f.size:
         raise InvalidFrequencies(f"Frequencies must be a list of at least one; got an array of shape {f.shape}.")
-    if not isinstance(f, Tracer) and not bool(jnp.all((f > 0.0) & jnp.isfinite(f))):
+    if not isinstance(f, Tracer) and not bool(((f > 0.0) & (f < np.inf)).all()):
         raise InvalidFrequencies("Frequencies must be positive and finite, in Hz.")
     return f
 

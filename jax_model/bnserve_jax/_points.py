@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from math import factorial, pi
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import jax.numpy as jnp
+import numpy as np
 from jax import Array
+from numpy.typing import NDArray
+
+from bnserve_jax._elementary import horner
 
 
 class Grid(NamedTuple):
@@ -21,9 +25,11 @@ class Grid(NamedTuple):
     """f^(-7/6)."""
 
     @classmethod
-    def of(cls, f: Array) -> Grid:
-        """Of frequencies in Hz."""
-        return cls(f, jnp.log(f), jnp.cbrt(f), f ** (-5.0 / 3.0), f ** (-7.0 / 6.0))
+    def of(cls, f: Array | NDArray[np.float64]) -> Grid:
+        """Of frequencies in Hz; those of numpy have its powers, which are the kernel's to the last bit."""
+        np_or_jnp: Any = np if isinstance(f, np.ndarray) else jnp
+        powers = (np_or_jnp.log(f), np_or_jnp.cbrt(f), f ** (-5.0 / 3.0), f ** (-7.0 / 6.0))
+        return cls(*(jnp.asarray(values, jnp.float64) for values in (f, *powers)))
 
 
 _SINE = [(-1) ** k / factorial(2 * k + 1) for k in range(11)]
@@ -33,15 +39,4 @@ _SINE = [(-1) ** k / factorial(2 * k + 1) for k in range(11)]
 def step(x: Array) -> Array:
     """(1 - cos(pi x)) / 2, constant outside 0 to 1: the smooth step of the paper (section "High frequency bound")."""
     y = pi * (jnp.clip(x, 0.0, 1.0) - 0.5)
-    square, total = y * y, jnp.full_like(y, _SINE[-1])
-    for coefficient in reversed(_SINE[:-1]):
-        total = total * square + coefficient
-    return 0.5 + 0.5 * y * total
-
-
-def horner(coefficients: list[Array], x: Array) -> Array:
-    """A polynomial, from the coefficient of the lowest power."""
-    total = coefficients[-1]
-    for coefficient in reversed(coefficients[:-1]):
-        total = total * x + coefficient
-    return total
+    return 0.5 + 0.5 * y * horner(_SINE, y * y)

@@ -9,9 +9,10 @@ import jax.numpy as jnp
 import numpy as np
 from jax import Array
 
+from bnserve_jax._elementary import horner
 from bnserve_jax._functions import applied, filled
-from bnserve_jax._points import Grid, horner
 from bnserve_jax._parameters import Binary
+from bnserve_jax._points import Grid
 from bnserve_protocol import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
 from bnserve_surrogate.baseline import (
     AMPLITUDE_POWERS,

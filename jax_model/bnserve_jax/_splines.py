@@ -13,6 +13,7 @@ import numpy as np
 from jax import Array
 from numpy.typing import NDArray
 
+from bnserve_jax._elementary import horner
 from bnserve_surrogate.kernel import second_derivative_operator
 
 Floats = NDArray[np.float64]
@@ -47,9 +48,16 @@ class Knots(NamedTuple):
         cell = jnp.minimum(cell + (x >= self.places[cell + 1]), len(self.places) - 2)
         return cell, x - self.places[cell]
 
+    def evaluate(self, cubics: Array, x: Array) -> tuple[Array, Array]:
+        """Two splines at every x, ``(M,)`` each, from their cubics, ``(8, n - 1)``."""
+        cell, t = self.locate(x)
+        # One list of numbers after another: gathered with what is made of them, where rows of eight are copied first.
+        c = [coefficients[cell] for coefficients in cubics]
+        return horner(c[:4], t), horner(c[4:], t)
+
 
 def cubics(knots: Floats, rows: Floats, cells: Floats) -> Floats:
-    """The cubics of splines in every cell: ``(R, n - 1, 4)``, powers of what a point is beyond the cell's first knot.
+    """The cubics of splines in every cell: ``(R, 4, n - 1)``, powers of what a point is beyond the cell's first knot.
 
     Parameters
     ----------
@@ -64,9 +72,9 @@ def cubics(knots: Floats, rows: Floats, cells: Floats) -> Floats:
     bends = rows @ second_derivative_operator(knots).T
     left, right = bends[:, :-1], bends[:, 1:]
     slopes = np.diff(rows, axis=1) / widths - widths * (2.0 * left + right) / 6.0
-    own = np.stack([rows[:, :-1], slopes, 0.5 * left, (right - left) / (6.0 * widths)], axis=-1)
+    own = [rows[:, :-1], slopes, 0.5 * left, (right - left) / (6.0 * widths)]
     owner = np.clip(np.searchsorted(knots, cells[:-1], side="right") - 1, 0, len(knots) - 2)
-    t = (cells[:-1] - knots[owner])[:, np.newaxis]
-    c0, c1, c2, c3 = np.moveaxis(own[:, owner], -1, 0)[..., np.newaxis]
+    t = cells[:-1] - knots[owner]
+    c0, c1, c2, c3 = (coefficients[:, owner] for coefficients in own)
     moved = [c0 + t * (c1 + t * (c2 + t * c3)), c1 + t * (2.0 * c2 + 3.0 * t * c3), c2 + 3.0 * t * c3, c3]
-    return np.concatenate(moved, axis=-1)
+    return np.stack(moved, axis=1)

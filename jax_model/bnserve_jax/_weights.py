@@ -35,7 +35,7 @@ class Pair(NamedTuple):
     regressor: Regressor
     knots: Knots
     synthesis: Array
-    """``(K + 1, cells * 8)``: what one and each output add to the coefficients of both cubics in every cell."""
+    """``(K + 1, 8 * cells)``: what one and each output add to both cubics: power by power, cell by cell."""
 
 
 class Carrier(NamedTuple):
@@ -61,9 +61,7 @@ class Weights(NamedTuple):
     """``(10,)``: of the parameters."""
 
 
-def read_weights(
-    metadata: SurrogateMetadata, tensors: Tensors, parameters: Sequence[ParameterDescription]
-) -> Weights:
+def read_weights(metadata: SurrogateMetadata, tensors: Tensors, parameters: Sequence[ParameterDescription]) -> Weights:
     """Arrange checked tensors, see :mod:`bnserve_surrogate._tensors`, and the ranges of the parameters."""
     lowest = [-np.inf if entry.minimum is None else entry.minimum for entry in parameters]
     highest = [np.inf if entry.maximum is None else entry.maximum for entry in parameters]
@@ -88,7 +86,7 @@ def _carrier(own: Tensors) -> Carrier:
     amplitude, phase = np.log(own["amplitude_nodes"]), np.log(own["phase_nodes"])
     rows = _rows(own)
     values, turns = rows[:, : len(amplitude)], rows[:, len(amplitude) :]
-    slope = cubics(phase, turns, phase)[:, 0, 1]
+    slope = cubics(phase, turns, phase)[:, 1, 0]
     # Post-Newtonian alignment: at the first node, the residual phase and its slope in x vanish.
     aligned = [slope - turns[:, 0], -slope / np.exp(phase[0]), *own["merger_alignment"].T.astype(np.float64)]
     return Carrier(
@@ -111,7 +109,7 @@ def _rows(own: Tensors) -> Floats:
 def _pair(own: Tensors, first: tuple[Floats, Floats], second: tuple[Floats, Floats]) -> Pair:
     knots = np.union1d(first[0], second[0])
     knots = knots[(knots >= max(first[0][0], second[0][0])) & (knots <= min(first[0][-1], second[0][-1]))]
-    both = np.concatenate([cubics(*first, knots), cubics(*second, knots)], axis=-1)
+    both = np.concatenate([cubics(*first, knots), cubics(*second, knots)], axis=1)
     return Pair(_regressor(own), Knots.of(knots), jnp.asarray(both.reshape(len(both), -1)))
 
 
