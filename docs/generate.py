@@ -34,7 +34,7 @@ from settings_pages import HEAD, sample, settings_page, table  # as above
 
 ROOT = Path(__file__).parents[1]
 REFERENCE = Path("docs/reference")
-ROOMS = ("protocol", "client", "model_store", "surrogate", "inference", "posterior", "service")
+ROOMS = ("protocol", "client", "model_store", "surrogate", "inference", "posterior", "jax_model", "service")
 SAMPLE = Path("examples/bnserve.toml")
 
 

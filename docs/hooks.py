@@ -13,7 +13,7 @@ from mkdocs.structure.pages import Page
 from pymdownx.slugs import slugify
 
 ROOT = Path(__file__).parents[1]
-ROOMS = ("client", "protocol", "surrogate", "inference", "posterior", "model_store", "service")
+ROOMS = ("client", "protocol", "surrogate", "inference", "posterior", "jax_model", "model_store", "service")
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\((?!https?:|#)([^)#\s]+)(#[^)]*)?\)")
 ROLE = re.compile(r":\w+:(<code>)[.~]?")
 

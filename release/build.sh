@@ -8,7 +8,7 @@
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-rooms=(protocol model_store surrogate inference posterior service client)
+rooms=(protocol model_store surrogate inference posterior jax_model service client)
 dist=$PWD/dist
 work=$(mktemp -d "${TMPDIR:-/tmp}/bnserve-release.XXXXXX")
 trap 'rm -rf "$work"' EXIT

@@ -10,6 +10,7 @@ ROOMS = (
     "bnserve_surrogate",
     "bnserve_inference",
     "bnserve_posterior",
+    "bnserve_jax",
     "bnserve_service",
     "bnserve_client",
 )

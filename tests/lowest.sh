@@ -24,7 +24,7 @@ if [ "$#" -gt 0 ]; then
 fi
 
 venv=.venv-lowest-core
-fresh -e ./protocol -e ./model_store -e ./surrogate -e ./inference -e ./posterior -e "./service[demo]" \
+fresh -e ./protocol -e ./model_store -e ./surrogate -e ./inference -e ./posterior -e ./jax_model -e "./service[demo]" \
     -e "./client[progress]"
 "$venv/bin/python" -W error tests/import_everything.py
 "$venv/bin/bnserve" demo --output "$venv/demo.png"

@@ -31,7 +31,7 @@ on() { # an environment with this Python and the newest of everything; then the 
             --extra test && "$python" -m pytest "$@"
     else
         "$uv" pip install --quiet --python "$python" --upgrade ./protocol ./model_store ./surrogate ./inference \
-            ./posterior "./service[demo]" "./client[progress]" &&
+            ./posterior ./jax_model "./service[demo]" "./client[progress]" &&
             "$python" -W error tests/import_everything.py && "$venv/bin/bnserve" demo --output "$venv/demo.png"
     fi
 }

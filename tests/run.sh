@@ -86,7 +86,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK=1
 .venv-test/bin/pip install --quiet ".[train,lal,test]"
 # The rooms once more, editable: the checks look at this checkout, not at copies of it.
 .venv-test/bin/pip install --quiet --no-deps \
-    -e ./protocol -e ./model_store -e ./surrogate -e ./inference -e ./posterior -e ./service -e ./client
+    -e ./protocol -e ./model_store -e ./surrogate -e ./inference -e ./posterior -e ./jax_model -e ./service -e ./client
 
 export PATH="$PWD/.venv-test/bin:$PATH"
 summary=()

@@ -80,5 +80,5 @@ def evaluate_beyond(row: CarrierRow, knots: Knots, band: Band, grid: Grid, mass:
     ratio = grid.f * mass / band.last
     amplitude, phase = evaluate(row, knots, band, grid, mass)
     beyond = ratio > 1.0
-    falling = top * jnp.where(beyond, ratio, 1.0) ** (-10.0 / 3.0)
+    falling = top * (band.last / mass) ** (10.0 / 3.0) * grid.phase_power**2
     return jnp.where(beyond, falling, amplitude), jnp.where(beyond, end + slope * (ratio - 1.0), phase)

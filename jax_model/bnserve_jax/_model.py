@@ -10,16 +10,25 @@ from typing import Any, NamedTuple, Self
 
 import jax
 import jax.numpy as jnp
-from jax import Array
+from jax import Array, lax
 from jax.typing import ArrayLike
 
 from bnserve_jax._carrier import Alignment, Band
-from bnserve_jax._modes import Form, Row, carrier_of, mode_strain, polarizations, prepare
+from bnserve_jax._modes import Form, Row, carrier_of, mode_slopes, mode_strain, polarizations, prepare, ratio_of
 from bnserve_jax._parameters import Binary, BinaryLike, as_binary, as_frequencies, is_evaluated, named_parameters
 from bnserve_jax._points import Grid
 from bnserve_jax._precision import require_double_precision
 from bnserve_jax._weights import Tensors, Weights, read_weights
-from bnserve_protocol import PHASE_AT_REFERENCE, EvaluationOptions, Mode, ModelDescription, chosen_modes
+from bnserve_protocol import (
+    DERIVATIVE_NAMES,
+    PARAMETER_NAMES,
+    PHASE_AT_REFERENCE,
+    EvaluationOptions,
+    Mode,
+    ModelDescription,
+    chosen_modes,
+)  # fmt: skip
+from bnserve_protocol._batches import check_names
 from bnserve_store import Artifact, ModelStore
 from bnserve_surrogate import Model as LocalModel
 from bnserve_surrogate import SurrogateMetadata
@@ -136,6 +145,32 @@ class Model:
         chosen = self._chosen([(2, 2)], alignment, reference_frequency)
         return self._each(_amplitude_phase, chosen, frequencies, parameters)
 
+    def predict_derivatives(
+        self,
+        frequencies: ArrayLike,
+        parameters: BinaryLike,
+        names: Sequence[str] = DERIVATIVE_NAMES,
+        mode: Mode = (2, 2),
+        *,
+        alignment: Alignment = "post_newtonian",
+        reference_frequency: float | None = None,
+    ) -> tuple[Array, Array]:
+        """h_lm as :meth:`predict_mode`, and its derivatives, complex ``(..., P, M)``, with respect to P parameters.
+
+        For less than ``jax.jacfwd`` of the strain, which has a sine and a cosine for each of them.
+
+        Raises
+        ------
+        InvalidParameters
+            A name is unknown; and as :meth:`predict`.
+        InvalidRequest
+            As :meth:`predict`.
+        """
+        check_names(names, PARAMETER_NAMES, PARAMETER_NAMES)
+        chosen = self._chosen([mode], alignment, reference_frequency)._replace(names=tuple(names))
+        found: tuple[Array, Array] = self._each(_derivatives, chosen, frequencies, parameters)
+        return found
+
     def _chosen(self, modes: Sequence[Mode] | None, alignment: Alignment, reference: float | None) -> Chosen:
         options = EvaluationOptions(
             out_of_domain="flag",
@@ -154,6 +189,10 @@ class Model:
         return _compiled(evaluate, chosen, self._weights, grid, named_parameters(parameters))
 
 
+_TOGETHER = 16
+"""Rows that a processor evaluates together, so that what they need stays in its caches; other devices take all."""
+
+
 class Chosen(NamedTuple):
     """What is compiled in."""
 
@@ -161,6 +200,8 @@ class Chosen(NamedTuple):
     modes: tuple[Mode, ...]
     alignment: Alignment
     reference: float | None
+    names: tuple[str, ...] = ()
+    """What is differentiated with respect to."""
 
 
 @partial(jax.jit, static_argnums=(0, 1))
@@ -170,9 +211,12 @@ def _compiled(evaluate: Any, chosen: Chosen, weights: Weights, grid: Grid, param
     def one(binary: Binary) -> Any:
         return evaluate(chosen, weights, grid, binary)
 
-    for _ in range(binaries["mass_ratio"].ndim):
-        one = jax.vmap(one)
-    return one(binaries)
+    shape = binaries["mass_ratio"].shape
+    if not shape:
+        return one(binaries)
+    rows = {name: values.reshape(-1) for name, values in binaries.items()}
+    found = lax.platform_dependent(rows, cpu=partial(lax.map, one, batch_size=_TOGETHER), default=jax.vmap(one))
+    return jax.tree.map(lambda values: values.reshape(*shape, *values.shape[1:]), found)
 
 
 def _prepared(chosen: Chosen, weights: Weights, grid: Grid, binary: Binary) -> Row:
@@ -208,6 +252,17 @@ def _strain(chosen: Chosen, weights: Weights, grid: Grid, binary: Binary) -> Arr
 
 def _amplitude_phase(chosen: Chosen, weights: Weights, grid: Grid, binary: Binary) -> tuple[Array, Array]:
     return carrier_of(weights, chosen.form, _prepared(chosen, weights, grid, binary), grid, 2)
+
+
+def _derivatives(chosen: Chosen, weights: Weights, grid: Grid, binary: Binary) -> tuple[Array, Array]:
+    (mode,) = chosen.modes
+
+    def parts(changed: Binary) -> tuple[Array, ...]:
+        row = _prepared(chosen, weights, grid, binary | changed)
+        ratio = ratio_of(weights, chosen.form, row, grid, mode)
+        return *carrier_of(weights, chosen.form, row, grid, mode[1]), *ratio
+
+    return mode_slopes(parts, {name: binary[name] for name in chosen.names}, mode[1])
 
 
 def _form(metadata: SurrogateMetadata, tensors: Tensors) -> Form:

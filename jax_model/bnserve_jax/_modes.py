@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from math import pi
 from typing import NamedTuple, TypeAlias
 
+import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array, lax
@@ -108,6 +110,33 @@ def mode_strain(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) 
     """h_lm, complex ``(M,)``, normalised as the strain of the (2, 2) of a face-on source."""
     carrier = turned(*carrier_of(weights, form, row, grid, mode[1]), mode[1])
     return lax.complex(*product(ratio_of(weights, form, row, grid, mode), carrier))
+
+
+def mode_slopes(parts: Callable[[Binary], tuple[Array, ...]], changed: Binary, order: int) -> tuple[Array, Array]:
+    """h_lm, ``(M,)``, and its derivatives, ``(P, M)``, with respect to P scalars.
+
+    Amplitude, phase and ratio are differentiated, and not h, whose sine and cosine are the same in every derivative.
+
+    Parameters
+    ----------
+    parts
+        From the scalars to A, phi and both parts of the ratio.
+    changed
+        The scalars.
+    order
+        m.
+    """
+    amplitude, phase, *ratio = parts(changed)
+    slopes = jax.jacfwd(parts)(changed)
+    unit, turns = turned(jnp.ones(()), phase, order), 0.5 * order
+    found = []
+    for name in changed:
+        of_amplitude, of_phase, *of_ratio = (slope[name] for slope in slopes)
+        own = product((ratio[0], ratio[1]), (of_amplitude, turns * amplitude * of_phase))
+        whole = own[0] + amplitude * of_ratio[0], own[1] + amplitude * of_ratio[1]
+        found.append(lax.complex(*product(whole, unit)))
+    h = product((ratio[0], ratio[1]), (amplitude * unit[0], amplitude * unit[1]))
+    return lax.complex(*h), jnp.stack(found)
 
 
 def product(one: Complex, other: Complex) -> Complex:

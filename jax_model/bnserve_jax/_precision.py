@@ -1,6 +1,7 @@
 """Double precision, which the model needs and JAX has to be told about."""
 
-import jax
+import numpy as np
+from jax import dtypes
 
 from bnserve_protocol import InvalidRequest
 
@@ -15,7 +16,7 @@ def require_double_precision() -> None:
     InvalidRequest
         JAX computes in single precision.
     """
-    if not jax.config.jax_enable_x64:
+    if dtypes.canonicalize_dtype(np.float64) != np.float64:
         raise InvalidRequest(
             "JAX computes in single precision, in which the phase of a waveform is off by 0.016 radians; call "
             'jax.config.update("jax_enable_x64", True), or set JAX_ENABLE_X64=1, before anything else uses JAX.'

@@ -13,6 +13,7 @@ ROOMS = {
     "surrogate": "bnserve_surrogate",
     "inference": "bnserve_inference",
     "posterior": "bnserve_posterior",
+    "jax_model": "bnserve_jax",
     "service": "bnserve_service",
     "client": "bnserve_client",
 }

@@ -7,6 +7,7 @@ from tests.architecture.rooms import room_environment, run_python
 SERVING = {"fastapi", "pydantic", "starlette", "uvicorn"}
 TRAINING = {
     "EOBRun_module",
+    "jax",
     "joblib",
     "lal",
     "lalsimulation",
@@ -18,7 +19,9 @@ TRAINING = {
     "sklearn",
 }
 NUMERICS = {"llvmlite", "safetensors"}
-OTHER_ROOMS = {"bnserve_inference", "bnserve_posterior", "bnserve_service", "bnserve_store", "bnserve_surrogate"}
+OTHER_ROOMS = {
+    "bnserve_inference", "bnserve_jax", "bnserve_posterior", "bnserve_service", "bnserve_store", "bnserve_surrogate",
+}  # fmt: skip
 
 EVALUATE_DEFAULT_MODEL = """
 from bnserve_surrogate import Model, ParametersWithExtrinsic

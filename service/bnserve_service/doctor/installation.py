@@ -23,6 +23,7 @@ EXTRAS: dict[str, tuple[tuple[str, ...], str]] = {
     ),
     "roq": (("joblib", "matplotlib", "tqdm"), "`bnserve roq build`"),
     "analyse": (("bnserve_posterior",), "from a likelihood to a posterior"),
+    "jax": (("bnserve_jax",), "the model in JAX"),
     "frames": (("gwpy",), "strain in frame files (`bnserve analyse`)"),
     "bilby": (("bilby", "lal"), "bnserve_client.bilby"),
     "progress": (("tqdm",), "progress bars of the client"),
