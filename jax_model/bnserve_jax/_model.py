@@ -257,12 +257,12 @@ def _amplitude_phase(chosen: Chosen, weights: Weights, grid: Grid, binary: Binar
 def _derivatives(chosen: Chosen, weights: Weights, grid: Grid, binary: Binary) -> tuple[Array, Array]:
     (mode,) = chosen.modes
 
-    def parts(changed: Binary) -> tuple[Array, ...]:
-        row = _prepared(chosen, weights, grid, binary | changed)
+    def parts(changed: Array) -> tuple[Array, ...]:
+        row = _prepared(chosen, weights, grid, binary | dict(zip(chosen.names, changed, strict=True)))
         ratio = ratio_of(weights, chosen.form, row, grid, mode)
         return *carrier_of(weights, chosen.form, row, grid, mode[1]), *ratio
 
-    return mode_slopes(parts, {name: binary[name] for name in chosen.names}, mode[1])
+    return mode_slopes(parts, jnp.stack([binary[name] for name in chosen.names]), mode[1])
 
 
 def _form(metadata: SurrogateMetadata, tensors: Tensors) -> Form:

@@ -112,31 +112,33 @@ def mode_strain(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) 
     return lax.complex(*product(ratio_of(weights, form, row, grid, mode), carrier))
 
 
-def mode_slopes(parts: Callable[[Binary], tuple[Array, ...]], changed: Binary, order: int) -> tuple[Array, Array]:
-    """h_lm, ``(M,)``, and its derivatives, ``(P, M)``, with respect to P scalars.
+def mode_slopes(parts: Callable[[Array], tuple[Array, ...]], changed: Array, order: int) -> tuple[Array, Array]:
+    """h_lm, ``(M,)``, and its derivatives, ``(P, M)``, with respect to P numbers.
 
     Amplitude, phase and ratio are differentiated, and not h, whose sine and cosine are the same in every derivative.
 
     Parameters
     ----------
     parts
-        From the scalars to A, phi and both parts of the ratio.
+        From the numbers to A, phi and both parts of the ratio.
     changed
-        The scalars.
+        The numbers, ``(P,)``.
     order
         m.
     """
+
+    def along(direction: Array) -> tuple[Array, ...]:
+        slopes: tuple[Array, ...] = jax.jvp(parts, (changed,), (direction,))[1]
+        return slopes
+
     amplitude, phase, *ratio = parts(changed)
-    slopes = jax.jacfwd(parts)(changed)
-    unit, turns = turned(jnp.ones(()), phase, order), 0.5 * order
-    found = []
-    for name in changed:
-        of_amplitude, of_phase, *of_ratio = (slope[name] for slope in slopes)
-        own = product((ratio[0], ratio[1]), (of_amplitude, turns * amplitude * of_phase))
-        whole = own[0] + amplitude * of_ratio[0], own[1] + amplitude * of_ratio[1]
-        found.append(lax.complex(*product(whole, unit)))
+    slopes = jax.vmap(along)(jnp.eye(len(changed)))
+    of_amplitude, of_phase, *of_ratio = (slope.reshape(len(changed), -1) for slope in slopes)  # of (2, 2) one number
+    unit = turned(jnp.ones(()), phase, order)
+    own = product((ratio[0], ratio[1]), (of_amplitude, 0.5 * order * amplitude * of_phase))
+    whole = product((own[0] + amplitude * of_ratio[0], own[1] + amplitude * of_ratio[1]), unit)
     h = product((ratio[0], ratio[1]), (amplitude * unit[0], amplitude * unit[1]))
-    return lax.complex(*h), jnp.stack(found)
+    return lax.complex(*h), lax.complex(*whole)
 
 
 def product(one: Complex, other: Complex) -> Complex:
