@@ -24,6 +24,7 @@ EXTRAS = {
     "optuna",
     "pycbc",
     "ray",
+    "ripplegw",
     "scipy",
     "sklearn",
     "tqdm",

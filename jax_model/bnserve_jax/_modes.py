@@ -92,18 +92,17 @@ def polarizations(
     weights: Weights, form: Form, row: Row, grid: Grid, modes: tuple[Mode, ...], inclination: Array
 ) -> tuple[Array, Array]:
     """h_plus and h_cross, complex ``(M,)`` in 1/Hz: the sum over the modes and their mirror images."""
-    plus = cross = (jnp.zeros(()), jnp.zeros(()))
+    real = imaginary = jnp.zeros((2, 1))
     for order in sorted({mode[1] for mode in modes}):
         carrier = turned(*carrier_of(weights, form, row, grid, order), order)
-        own = other = (jnp.zeros(()), jnp.zeros(()))
+        own = (jnp.zeros((2, 1)), jnp.zeros((2, 1)))
         for mode in (mode for mode in modes if mode[1] == order):
-            even, odd = factors(mode, inclination)
-            real, imaginary = ratio_of(weights, form, row, grid, mode)
-            own = own[0] + even * real, own[1] + even * imaginary
-            other = other[0] + odd * real, other[1] + odd * imaginary
-        first, second = product(own, carrier), product(other, carrier)
-        plus, cross = (plus[0] + first[0], plus[1] + first[1]), (cross[0] + second[1], cross[1] - second[0])
-    return lax.complex(*plus), lax.complex(*cross)
+            factor = jnp.stack(factors(mode, inclination))[:, jnp.newaxis]
+            ratio = ratio_of(weights, form, row, grid, mode)
+            own = own[0] + factor * ratio[0], own[1] + factor * ratio[1]
+        both = product(own, carrier)
+        real, imaginary = real + both[0], imaginary + both[1]
+    return lax.complex(real[0], imaginary[0]), lax.complex(imaginary[1], -real[1])
 
 
 def mode_strain(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) -> Array:

@@ -34,23 +34,23 @@ def _at_least(least: float, value: Array) -> Array:
 def outputs(regressor: Regressor, u: Array, degree: int, activation: str) -> Array:
     """A one, then the regressor's outputs at the coordinates u: ``(K + 1,)``."""
     found = jnp.zeros(regressor.coefficients.shape[1])
-    if regressor.exponents.shape[0]:
-        found = _products(regressor.exponents, u, degree) @ regressor.coefficients
+    if regressor.terms.shape[0]:
+        found = _products(regressor, u, degree) @ regressor.coefficients
     if regressor.layers:
         found = found + _network(regressor, u, _ACTIVATIONS[activation])
     return jnp.concatenate([jnp.ones(1), found])
 
 
-def _products(exponents: Array, u: Array, degree: int) -> Array:
+def _products(regressor: Regressor, u: Array, degree: int) -> Array:
     """Products of Chebyshev polynomials, ``(T,)``."""
     powers = [jnp.ones(5), u]
     for _ in range(2, degree + 1):
         powers.append(2.0 * u * powers[-1] - powers[-2])
     table = jnp.stack(powers)
-    product = table[exponents[:, 0], 0]
-    for axis in range(1, 5):
-        product = product * table[exponents[:, axis], axis]
-    return product
+    heads, tails = regressor.heads, regressor.tails
+    first = table[heads[:, 0], 0] * table[heads[:, 1], 1]
+    second = table[tails[:, 0], 2] * table[tails[:, 1], 3] * table[tails[:, 2], 4]
+    return first[regressor.terms[:, 0]] * second[regressor.terms[:, 1]]
 
 
 def _network(regressor: Regressor, u: Array, activate: Callable[[Array], Array]) -> Array:

@@ -21,8 +21,12 @@ Tensors = Mapping[str, NDArray[Any]]
 class Regressor(NamedTuple):
     """From the five coordinates of a binary to K outputs: a polynomial, a network, or their sum."""
 
-    exponents: Array
-    """int32 ``(T, 5)``: degrees of the Chebyshev products."""
+    heads: Array
+    tails: Array
+    """int32 ``(H, 2)`` and ``(L, 3)``: degrees of products of Chebyshev polynomials in the first two and the last three
+    coordinates, each different from the others."""
+    terms: Array
+    """int32 ``(T, 2)``: which of both make up each product."""
     coefficients: Array
     """``(T, K)``."""
     layers: tuple[tuple[Array, Array], ...]
@@ -118,8 +122,13 @@ def _regressor(own: Tensors) -> Regressor:
     while f"mlp_weights_{layers}" in own:
         layers += 1
     network = [(own[f"mlp_weights_{i}"], own[f"mlp_biases_{i}"]) for i in range(layers)]
+    exponents = np.asarray(own.get("polynomial_exponents", np.zeros((0, 5), int)))
+    heads, head = np.unique(exponents[:, :2], axis=0, return_inverse=True)
+    tails, tail = np.unique(exponents[:, 2:], axis=0, return_inverse=True)
     return Regressor(
-        exponents=jnp.asarray(own.get("polynomial_exponents", np.zeros((0, 5))), jnp.int32),
+        heads=jnp.asarray(heads, jnp.int32),
+        tails=jnp.asarray(tails, jnp.int32),
+        terms=jnp.asarray(np.column_stack([head, tail]), jnp.int32),
         coefficients=jnp.asarray(own.get("polynomial_coefficients", np.zeros((0, outputs))), jnp.float64),
         layers=tuple((jnp.asarray(w, jnp.float64), jnp.asarray(b, jnp.float64)) for w, b in network),
     )

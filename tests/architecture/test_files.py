@@ -54,6 +54,7 @@ def test_modules_are_small():
 
 NAMED_BY_OTHERS = {
     "client/bnserve_client/compat/mlgw_bns.py": "is the module mlgw_bns of other programs",
+    "jax_model/bnserve_jax/ripple.py": "imports ripple, which the package does without",
     "inference/bnserve_inference/adjoint_kernel/build.py": "run with `python -m`",
     "inference/bnserve_inference/fisher_kernel/build.py": "run with `python -m`",
     "inference/bnserve_inference/kernel/build.py": "run with `python -m`",
