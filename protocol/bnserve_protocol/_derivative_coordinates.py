@@ -70,7 +70,9 @@ COORDINATES: dict[str, Any] = {
 """Functions of the ten parameters by name; the logarithms are natural."""
 
 
-def coordinate_jacobian(batch: ParameterBatch, coordinates: Sequence[str]) -> Floats:
+def coordinate_jacobian(
+    batch: ParameterBatch, coordinates: Sequence[str], *, rows: Sequence[int] | NDArray[np.intp] | None = None
+) -> Floats:
     """What turns derivatives with respect to the ten parameters into those with respect to ten coordinates.
 
     Parameters
@@ -79,6 +81,8 @@ def coordinate_jacobian(batch: ParameterBatch, coordinates: Sequence[str]) -> Fl
         N binaries.
     coordinates
         Ten names of :data:`COORDINATES`, which together fix a binary.
+    rows
+        The numbers of these binaries in a larger batch, which errors name; None for 0 to N - 1.
 
     Returns
     -------
@@ -110,11 +114,12 @@ def coordinate_jacobian(batch: ParameterBatch, coordinates: Sequence[str]) -> Fl
     scaled /= np.where(scale_columns > 0.0, scale_columns, 1.0)
     bad = np.linalg.svd(scaled, compute_uv=False)[:, -1] < _SINGULAR
     if bad.any():
+        first = int(np.argmax(bad) if rows is None else rows[int(np.argmax(bad))])
         raise InvalidRequest(
-            f"Row {int(np.argmax(bad))}: these coordinates do not tell binaries apart there: at equal masses the "
+            f"Row {first}: these coordinates do not tell binaries apart there: at equal masses the "
             "symmetric mass ratio does not change with the mass ratio, nor at an inclination of 0 its cosine. Take "
             "mass_ratio or log_mass_ratio, and the inclination.",
-            errors=[FieldError(reason="singular", parameter="coordinates", row=int(np.argmax(bad)))],
+            errors=[FieldError(reason="singular", parameter="coordinates", row=first)],
         )
     inverse: Floats = np.linalg.inv(scaled) / scale_columns.swapaxes(1, 2) / scale_rows.swapaxes(1, 2)
     return inverse

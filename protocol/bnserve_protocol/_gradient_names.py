@@ -83,7 +83,7 @@ def _of_binary(
     waveforms = samples.rows(good).waveform_batch(**_FIXED)
     own = np.stack([slopes.get(name, np.zeros(len(samples)))[good] for name in PARAMETER_NAMES], axis=1)
     turned = np.full((len(samples), len(coordinates)), np.nan)
-    turned[good] = np.einsum("np,npc->nc", own, coordinate_jacobian(waveforms, coordinates))
+    turned[good] = np.einsum("np,npc->nc", own, coordinate_jacobian(waveforms, coordinates, rows=good))
     found = {name: turned[:, place] for place, name in enumerate(coordinates) if name in given or name in slopes}
     if "mass_1" in given:
         _exchange(found, columns, given)

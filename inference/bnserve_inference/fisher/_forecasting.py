@@ -94,8 +94,8 @@ def forecast(
     size = max(1, _NUMBERS // (len(nodes.frequencies) * len(modes) * len(DERIVATIVE_NAMES)))
     roots, squares = [np.zeros((0, len(names), len(names)))], [np.zeros((0, len(network.noise)))]
     status = [np.zeros(0, np.uint8)]
-    for block in batch.split(_ROWS):
-        jacobian, held = _jacobian(model, block, options)
+    for first, block in zip(range(0, len(batch), _ROWS), batch.split(_ROWS), strict=True):
+        jacobian, held = _jacobian(model, block, options, first)
         for start in range(0, len(block), size):
             rows = slice(start, start + size)
             part = block.rows(rows)
@@ -125,10 +125,10 @@ def _check(options: ForecastOptions) -> None:
 
 
 def _jacobian(
-    model: Differentiable, block: LikelihoodBatch, options: ForecastOptions
+    model: Differentiable, block: LikelihoodBatch, options: ForecastOptions, first: int = 0
 ) -> tuple[Floats, NDArray[np.uint8]]:
     """Of parameters by coordinates, ``(N, 13, 13)``: those of the sky are kept; and a RowStatus each. Rows that are not
-    evaluated stand for nothing.
+    evaluated stand for nothing; ``first`` is the number of the block's first row.
 
     The phase of the (2, 2) at the reference frequency, which has to be in the band, is held while other coordinates
     change.
@@ -142,7 +142,7 @@ def _jacobian(
     out[:, range(count, len(NAMES)), range(count, len(NAMES))] = 1.0
     if not len(good):
         return out, there.status
-    out[good, :count, :count] = coordinate_jacobian(block.waveform_batch().rows(good), plain)
+    out[good, :count, :count] = coordinate_jacobian(block.waveform_batch().rows(good), plain, rows=first + good)
     slopes = (there.derivatives[good, 0, :, 0] / there.h[good, 0]).imag
     changes = out[good][:, [NAMES.index(name) for name in DERIVATIVE_NAMES]]
     out[good, NAMES.index("reference_phase")] -= (slopes[:, :, None] * changes).sum(axis=1)

@@ -246,6 +246,17 @@ def test_what_is_no_network_or_prior_is_refused(model):
         forecast(model, network(), BINARY, ForecastOptions(coordinates=("chirp", *COORDINATES[1:])))
 
 
+def test_a_row_that_coordinates_cannot_tell_from_others_is_named_by_its_place_in_the_whole_batch(model):
+    """Rows before it that are not evaluated, and blocks before its own, count."""
+    batch = LikelihoodBatch(np.repeat(LikelihoodBatch.coerce(BINARY).values, 1030, axis=0))
+    batch["total_mass"][:3] = 9.0
+    batch["mass_ratio"][1027] = 1.0
+    options = ForecastOptions(coordinates=("log_chirp_mass", "symmetric_mass_ratio", *COORDINATES[2:]), modes=((2, 2),))
+    with pytest.raises(InvalidRequest, match="Row 1027: ") as caught:
+        forecast(model, network(["E1"], 400.0, 500.0), batch, options)
+    assert [error.row for error in caught.value.errors] == [1027]
+
+
 ALL = ((2, 1), (2, 2), (3, 1), (3, 2), (3, 3), (4, 3), (4, 4))
 
 
