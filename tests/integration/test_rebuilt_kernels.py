@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import bnserve_inference.adjoint_kernel._call as adjoint
 import bnserve_inference.fisher._factorisation as fisher
 import bnserve_inference.fisher_kernel._assembly as factorisation
 import bnserve_inference.kernel._contraction as contraction
@@ -152,3 +153,17 @@ def test_the_factorisation_of_forecasts_is_what_its_sources_compile_to(tmp_path,
     assert_close(shipped.snr, anew.snr)
     for one, other in zip(shipped.root, anew.root, strict=True):
         assert_close(one, other)
+
+
+def test_the_adjoint_of_contractions_is_what_its_sources_compile_to(tmp_path, monkeypatch):
+    file = rebuilt("bnserve_inference.adjoint_kernel.build", adjoint.ASSEMBLY, tmp_path)
+    again = loader.load_assembly(file, adjoint.ENTRY_POINT, vectorise=False)
+    model = Model.default()
+    data, batch = network(model), columns(8, width=0.25)
+    options = {"calibration": Calibration(nodes=5, f_min=F_MIN, f_max=F_MAX), "response": "moving"}
+    for analysis in (full(data, **options), binned(model, data, **options)):
+        ours, given = likelihood(model, analysis), batch | errors(batch)
+        shipped = ours.gradients(given).gradient
+        with monkeypatch.context() as patch:
+            patch.setattr(adjoint, "load_adjoint", lambda: again)
+            assert_close(shipped, ours.gradients(given).gradient)
