@@ -2,7 +2,7 @@
 # Scripts of users of other programs, against a running server: each program from the index, in an environment of its own.
 #
 #   bash tests/programs.sh bilby                    one or several of: bilby bilby_pipe pycbc bajes gwfish pesummary
-#                                                   examples beside
+#                                                   umbridge examples beside
 #   bash tests/programs.sh --short bilby            the least of it, in the environment of the tests, in a minute
 #   bash tests/programs.sh --cache DIR bilby        environments and what is fetched are kept there (.venv-programs)
 #
@@ -281,6 +281,15 @@ pesummary() {
     check "pesummary 1.8.1" pesummary_reads "$folder/pesummary-run_result.json"
 }
 
+# UM-Bridge's clients for PyMC and emcee, as the guide has them.
+
+umbridge() {
+    environment umbridge-1.2.10 umbridge==1.2.10 pymc emcee ./protocol ./model_store ./surrogate ./inference ./service ./client
+    serve
+    page docs/guides/umbridge.md
+    stop
+}
+
 # Nothing that others brought is replaced: the client, and what builds analyses, beside three programs.
 
 nothing_replaced() { # what is installed into $python's environment
@@ -302,11 +311,11 @@ beside() {
     done
 }
 
-[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby bilby_pipe pycbc bajes gwfish pesummary examples beside\n' >&2; exit 2; }
+[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby bilby_pipe pycbc bajes gwfish pesummary umbridge examples beside\n' >&2; exit 2; }
 for program in "${programs[@]}"; do
     case "$program" in
-        bilby | bilby_pipe | pycbc | bajes | gwfish | pesummary | examples | beside) "$program" ;;
-        *) printf 'error: no program %s; there are bilby, bilby_pipe, pycbc, bajes, gwfish, pesummary, examples, beside\n' "$program" >&2; exit 2 ;;
+        bilby | bilby_pipe | pycbc | bajes | gwfish | pesummary | umbridge | examples | beside) "$program" ;;
+        *) printf 'error: no program %s; there are bilby, bilby_pipe, pycbc, bajes, gwfish, pesummary, umbridge, examples, beside\n' "$program" >&2; exit 2 ;;
     esac
 done
 

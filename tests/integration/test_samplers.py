@@ -26,6 +26,7 @@ RUNS = {
     "dynesty in processes": ("with_dynesty.py",),
     "dynesty in batches": ("with_dynesty.py", "--batches"),
     "bilby": ("with_bilby.py",),
+    "NUTS": ("with_nuts.py",),
 }
 IN_BATCHES = [name for name in RUNS if name != "dynesty in processes"]
 OUTAGE_SECONDS = 3.0

@@ -56,6 +56,8 @@ SHORT = {
     "_e.EnsembleSampler.run_mcmc = lambda self, start, steps: _walk(self, start, 10)",
     "nautilus.Sampler": "import nautilus as _n; _more = _n.Sampler.run; "
     "_n.Sampler.run = lambda *a, **k: _more(*a, **(k | {'n_like_max': 3000, 'discard_exploration': False}))",
+    "pm.sample": "import pymc as _p; _draw = _p.sample; "
+    "_p.sample = lambda *a, **k: _draw(*a, **(k | {'draws': 20, 'tune': 60}))",
     "npool": "import multiprocessing as _m; _m.set_start_method('fork', force=True)",  # the page is no module
 }
 """Where a page has one of them, what makes its runs end early, and lets a program of blocks start processes."""

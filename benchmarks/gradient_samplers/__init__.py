@@ -1,0 +1,1 @@
+"""A sampler with gradients on the likelihood of an event, beside the sampler of ``bnserve analyse``."""
