@@ -1,16 +1,18 @@
 """NUTS on the likelihood of an event, beside the sampler of ``bnserve analyse``: effective samples per second of CPU.
 
     pip install '.[benchmarks]' blackjax
+    bnserve analyse examples/gw170817.toml
     python -m benchmarks.gradient_samplers
 
-Both sample the posterior of ``examples/gw170817.toml`` (phase and distance integrated over), over the same priors and
-with the same likelihood. NUTS begins where the injection is, as if a search had found it, and its warm-up counts.
-The last lines compare the two posteriors, by errors of their means and widths.
+It samples the posterior of a finished run (phase and distance are integrated over) again, with the same likelihood and
+priors. NUTS begins where the injection is, as if a search had found it; its warm-up and what JAX compiles count. The
+last lines compare the two posteriors, by errors of their means and widths.
 """
 
 from __future__ import annotations
 
 import argparse
+import json
 import time
 from pathlib import Path
 from typing import NamedTuple
@@ -23,8 +25,6 @@ from benchmarks.gradient_samplers.density import Density
 from benchmarks.gradient_samplers.nuts import Nuts, Settings, effective
 from bnserve_posterior.events import Event, changed_event, read_event
 from bnserve_posterior.running import Folder, Prepared, prepare
-from bnserve_posterior.sampling import Settings as OurSettings
-from bnserve_posterior.sampling import sample
 from bnserve_surrogate import Model
 
 Floats = NDArray[np.float64]
@@ -42,25 +42,51 @@ class Found(NamedTuple):
     effective: dict[str, float]
     remark: str
 
+    @classmethod
+    def of(
+        cls,
+        name: str,
+        columns: dict[str, Floats],
+        many: dict[str, float],
+        likelihoods: int,
+        seconds: float,
+        remark: str,
+    ) -> Found:
+        """Of samples that count alike."""
+        means = {key: float(column.mean()) for key, column in columns.items()}
+        widths = {key: float(column.std()) for key, column in columns.items()}
+        return cls(name, likelihoods, seconds, means, widths, many, remark)
+
 
 def main() -> None:
-    """Sample with both, and print the table."""
+    """Sample, and print the tables."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--event", type=Path, default=Path("examples/gw170817.toml"), help="with an injection")
-    parser.add_argument("--work", type=Path, default=Path("runs/gradient_samplers"), help="for the analysis")
+    parser.add_argument("--run", type=Path, help="folder of the finished run; by default that of the event")
     parser.add_argument("--chains", type=int, default=Settings.chains, help="of NUTS")
     parser.add_argument("--draws", type=int, default=Settings.draws, help="of each chain")
-    parser.add_argument("--effective", type=int, default=OurSettings.effective, help="samples of ours")
-    parser.add_argument("--particles", type=int, default=OurSettings.particles, help="of each of our populations")
     options = parser.parse_args()
     jax.config.update("jax_enable_x64", True)
-    event = changed_event(read_event(options.event), folder=options.work)
+    event = changed_event(read_event(options.event), folder=options.run)
     with Folder(event.output, resume=True) as folder:
         prepared = prepare(event, Model.default(), folder)
+        ours = finished(prepared, folder.result)
     prepared.try_likelihood(64)  # code that is made when it is first asked for
-    chosen = Settings(chains=options.chains, draws=options.draws)
-    ours = by_populations(prepared, OurSettings(effective=options.effective, particles=options.particles))
-    report(ours, by_nuts(prepared, event, chosen))
+    report(ours, by_nuts(prepared, event, Settings(chains=options.chains, draws=options.draws)))
+
+
+def finished(prepared: Prepared, path: Path) -> Found:
+    """The posterior of a run of ``bnserve analyse``."""
+    result = json.loads(path.read_text())
+    told, samples = result["meta_data"]["bnserve"], result["posterior"]["content"]
+    if "coalescence_time" in prepared.cube.names:
+        samples["coalescence_time"] = np.array(samples["geocent_time"]) - prepared.cube.trigger_time
+    columns = {name: np.array(samples[name]) for name in prepared.cube.names}
+    if prepared.cube.folded:
+        columns["psi"] = columns["psi"] % (0.5 * np.pi)
+    remark = f"ln of the evidence ratio {told['log_evidence']:.2f} +- {told['log_evidence_error']:.2f}"
+    many = dict.fromkeys(columns, float(told["effective_samples"]))
+    return Found.of("bnserve analyse", columns, many, told["likelihoods"], told["processor_seconds"], remark)
 
 
 def by_nuts(prepared: Prepared, event: Event, settings: Settings) -> Found:
@@ -70,40 +96,18 @@ def by_nuts(prepared: Prepared, event: Event, settings: Settings) -> Found:
     begun = time.process_time()
     run = Nuts(density, place, density.spread(), density.turns, settings)
     run.warm_up()
-    warm, asked = time.process_time(), density.evaluated
+    warm, asked = time.process_time() - begun, density.evaluated
     chains = run.sample()
     seconds = time.process_time() - begun
     shape = chains.draws.shape[:2]
     values = prepared.cube(density.points(chains.draws.reshape(-1, density.dimensions))[0])
     columns = {name: values[name] for name in prepared.cube.names}
     remark = (
-        f"{settings.chains} chains of {settings.draws} draws, {chains.leapfrogs:.1f} steps each, acceptance "
-        f"{chains.acceptance:.2f}; {chains.divergent} divergent; warm-up {warm - begun:.1f} s and {asked} gradients"
+        f"{shape[0]} chains of {shape[1]} draws, {chains.leapfrogs:.1f} gradients each, step {chains.step:.2f}, "
+        f"acceptance {chains.acceptance:.2f}, {chains.divergent} divergent; warm-up {warm:.1f} s, {asked:,} gradients"
     )
-    return Found(
-        "NUTS", density.evaluated, seconds,
-        {name: float(column.mean()) for name, column in columns.items()},
-        {name: float(column.std()) for name, column in columns.items()},
-        {name: effective(column.reshape(shape)) for name, column in columns.items()},
-        remark,
-    )  # fmt: skip
-
-
-def by_populations(prepared: Prepared, settings: OurSettings) -> Found:
-    """The posterior by the sampler of ``bnserve analyse``."""
-    begun = time.process_time()
-    posterior = sample(prepared.problem(), settings)
-    seconds = time.process_time() - begun
-    values, weights = prepared.cube(posterior.points), posterior.weights
-    columns = {name: values[name] for name in prepared.cube.names}
-    means = {name: float(np.average(column, weights=weights)) for name, column in columns.items()}
-    widths = {
-        name: float(np.sqrt(np.average((column - means[name]) ** 2, weights=weights)))
-        for name, column in columns.items()
-    }
-    many = dict.fromkeys(columns, float(posterior.effective))
-    remark = f"ln of the evidence {posterior.log_evidence:.2f} +- {posterior.log_evidence_error:.2f}"
-    return Found("bnserve analyse", posterior.likelihoods, seconds, means, widths, many, remark)
+    many = {name: effective(column.reshape(shape)) for name, column in columns.items()}
+    return Found.of("NUTS", columns, many, density.evaluated, seconds, remark)
 
 
 def injected(prepared: Prepared, event: Event) -> Floats:
@@ -135,11 +139,10 @@ def report(first: Found, second: Found) -> None:
     for name, mean in first.means.items():
         other, widths = second.means[name], (first.widths[name], second.widths[name])
         many = first.effective[name], second.effective[name]
-        error = np.hypot(widths[0] / many[0] ** 0.5, widths[1] / many[1] ** 0.5)
-        error_of_width = error / 2.0**0.5
+        error = float(np.hypot(widths[0] / many[0] ** 0.5, widths[1] / many[1] ** 0.5))
         print(
             f"| {name} | {mean:.6g} +- {widths[0]:.3g} | {other:.6g} +- {widths[1]:.3g} | {many[1]:.0f} | "
-            f"{(other - mean) / error:+.1f} errors | {(widths[1] - widths[0]) / error_of_width:+.1f} errors |"
+            f"{(other - mean) / error:+.1f} errors | {(widths[1] - widths[0]) / (error / 2.0**0.5):+.1f} errors |"
         )
 
 

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.special import ndtri
 
+from bnserve_posterior.priors import coordinates_of
 from bnserve_posterior.running import Prepared
 from bnserve_protocol import LIKELIHOOD_NAMES
 
@@ -47,8 +48,9 @@ class Density:
     """
 
     def __init__(self, prepared: Prepared) -> None:
-        self._prepared, self._problem = prepared, prepared.problem()
-        self._cube = prepared.cube
+        self._prepared, self._cube = prepared, prepared.cube
+        sites = [one.site() for one in prepared.data.detectors]
+        self._coordinates = coordinates_of(self._cube, sites, tides=False)
         self.dimensions = len(self._cube)
         self.evaluated = 0
         psi = self._cube.folded
@@ -56,23 +58,23 @@ class Density:
 
     def points(self, y: Floats) -> tuple[Floats, Floats]:
         """Points of the unit cube ``(N, D)`` and ln of the volume ``(N,)`` at coordinates ``(N, D)``."""
-        turns = list(self._problem.periodic)
+        turns = list(self._cube.periodic())
         normal = y.copy()
         normal[:, turns] = ndtri(np.clip(y[:, turns] % 1.0, _EDGE, 1.0 - _EDGE))
-        u, volume = self._problem.coordinates.to_cube(normal)
+        u, volume = self._coordinates.to_cube(normal)
         return u, volume + 0.5 * np.sum(normal[:, turns] ** 2 + np.log(2.0 * np.pi), axis=1)
 
     def coordinates(self, u: Floats) -> Floats:
         """The way back from points of the cube."""
-        y = self._problem.coordinates.from_cube(u)[0]
-        turns = list(self._problem.periodic)
+        y = self._coordinates.from_cube(u)[0]
+        turns = list(self._cube.periodic())
         y[:, turns] = u[:, turns]
         return y
 
     @property
     def turns(self) -> tuple[int, ...]:
         """Columns that come round to their beginning after 1."""
-        return self._problem.periodic
+        return self._cube.periodic()
 
     def spread(self) -> Floats:
         """The standard deviations of the prior, ``(D,)``."""

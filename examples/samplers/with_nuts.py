@@ -21,7 +21,7 @@ from problem import DISTANCE, HIGH, LOW, SAMPLED, TRUTH, Problem, arguments, col
 from bnserve_client import Model
 
 Floats = NDArray[np.float64]
-WARM_UP, STEPS = 4, 20  # parts of the warm-up, and steps of each chain in a part
+WARM_UP, STEPS = 4, 15  # parts of the warm-up, and steps of each chain in a part
 DOUBLINGS = 6  # of a trajectory, at most
 
 jax.config.update("jax_enable_x64", True)  # of numbers with 7 digits no phase is left
@@ -120,7 +120,7 @@ def sample(density: Density, chains: int, draws: int, seed: int = 1) -> tuple[Fl
 def main() -> None:
     """Sample, and report."""
     chosen = arguments(__doc__)
-    chains, draws = (16, 60) if chosen.short else (64, 500)
+    chains, draws = (16, 45) if chosen.short else (64, 510)
     with Model.connect(chosen.address) as model:
         density = Density(Problem.pose(model, chosen.asd))
         started = time.perf_counter()

@@ -18,6 +18,7 @@ from bnserve_protocol import (
     ArtifactError,
     BnserveError,
     InvalidRequest,
+    ModelUnknown,
     UndecodableBody,
     decode_analysis,
     decode_network,
@@ -32,8 +33,10 @@ from bnserve_protocol.wire import (
     decode_likelihood_request,
     decode_request,
 )
+from bnserve_service.evaluation import umbridge
+from bnserve_service.evaluation.umbridge_bodies import UmBridgeGradientRequest, decode
 from bnserve_service.settings import Settings
-from bnserve_service.uploads.stores import GridStore
+from bnserve_service.uploads.stores import GridStore, StoredAnalysis
 from bnserve_store._files import decode_manifest
 from bnserve_store._reading import LABELS_FILE, MANIFEST_FILE, TENSORS_FILE, read_artifact, read_labels
 from tests.client.reference_model import binaries
@@ -104,6 +107,12 @@ def read_grid(data: bytes) -> None:
     GridStore(Settings(max_frequencies=2**16)).put("", hashlib.sha256(data).hexdigest(), data)
 
 
+def read_umbridge(data: bytes) -> None:
+    """What an UM-Bridge client asks for, of the analysis that it names or of another."""
+    umbridge.address(data)
+    umbridge.sample(StoredAnalysis(valid.ANALYSIS, 1), decode(data, UmBridgeGradientRequest))
+
+
 def read_waveform_answer(data: bytes) -> None:
     """The body of an answer."""
     answer = decode_answer(data)
@@ -137,6 +146,7 @@ TARGETS = {
                valid.likelihood_requests, mutate_msgpack),
         Target("likelihood_json", lambda data: decode_likelihood_request(data, JSON, 4096), (InvalidRequest,),
                valid.likelihood_requests_json, mutate_json),
+        Target("umbridge", read_umbridge, (InvalidRequest, ModelUnknown), valid.umbridge_requests, mutate_json),
         Target("analysis", decode_analysis, (InvalidRequest,), valid.analyses, mutate_msgpack),
         Target("analysis_evaluated", likelihoods.read_evaluated, (InvalidRequest,),
                likelihoods.evaluated_seeds, likelihoods.mutate_analysis),

@@ -45,7 +45,7 @@ from tests.client.reference_model import ReferenceModel, binaries
 from tests.client.reference_service import ReferenceService
 from tests.fuzz.conversation import HEAD, MARK
 from tests.service.asking import GW170817, question
-from tests.service.injections import samples, small_analysis
+from tests.service.injections import name_of, samples, small_analysis
 from tests.service.networks import BINARY, network
 
 FREQUENCIES = np.linspace(20.0, 100.0, 9)
@@ -88,6 +88,17 @@ def likelihood_requests_json() -> list[bytes]:
     plain = {"parameters": dict.fromkeys(complete_names(), 1.0)}
     more = ({}, {"output": "products"}, {"output": "gradients"}, {"output": "draws", "uniforms": [[0.5, 0.25, 0.0]]})
     return [msgspec.json.encode(plain | fields) for fields in more]
+
+
+def umbridge_requests() -> list[bytes]:
+    """Of the analysis, by UM-Bridge clients."""
+    names = complete_names()
+    plain = {"name": f"default/{name_of(ANALYSIS)}", "outWrt": 0, "inWrt": 0, "sens": [1.0]}
+    fixed = {"fixed": dict.fromkeys(names, 1.0), "outside": -1e300}
+    return [
+        msgspec.json.encode(plain | {"input": [[1.0] * (len(names) + 1)], "config": {}}),
+        msgspec.json.encode(plain | {"input": [[1.0]], "config": fixed}),
+    ]
 
 
 def complete_names() -> list[str]:

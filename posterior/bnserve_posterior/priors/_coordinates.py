@@ -186,13 +186,17 @@ class _Sky:
 _Block = _Masses | _Tides | _Sky
 
 
-def coordinates_of(cube: PriorCube, detectors: Sequence[Detector]) -> Coordinates:
-    """The coordinates of a prior, as far as it samples what they are made of."""
+def coordinates_of(cube: PriorCube, detectors: Sequence[Detector], *, tides: bool = True) -> Coordinates:
+    """The coordinates of a prior, as far as it samples what they are made of.
+
+    With the reduced tidal parameter the posterior ends where one star has no tide; without (``tides=False``) it has no
+    end there, which samplers that follow gradients need.
+    """
     blocks: list[_Block] = []
     known = {*cube.names, *cube.fixed}
     if {*_Masses.needs} <= {*cube.names} and "chi_2" in known:
         blocks.append(_Masses(cube))
-    if {*_Tides.needs} <= {*cube.names}:
+    if tides and {*_Tides.needs} <= {*cube.names}:
         blocks.append(_Tides(cube))
     axis = sky_axis(detectors)
     if axis is not None and isotropic(cube):
