@@ -28,6 +28,8 @@ from bnserve_posterior.running import Folder, Prepared, prepare
 from bnserve_surrogate import Model
 
 Floats = NDArray[np.float64]
+SMOOTH = 0.2
+"""Of the widths at the start: the part over which the force of the prior is smoothed."""
 
 
 class Found(NamedTuple):
@@ -95,6 +97,7 @@ def by_nuts(prepared: Prepared, event: Event, settings: Settings) -> Found:
     place = density.coordinates(injected(prepared, event))[0]
     begun = time.process_time()
     run = Nuts(density, place, density.spread(), density.turns, settings)
+    density.smooth = SMOOTH * np.sqrt(np.diag(run.metric.covariance))
     run.warm_up()
     warm, asked = time.process_time() - begun, density.evaluated
     chains = run.sample()

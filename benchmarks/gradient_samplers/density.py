@@ -4,6 +4,10 @@ The coordinates are those of ``bnserve_posterior``, in which a posterior is near
 round to its beginning, such as the polarisation, is a number of turns. Gradients of the likelihood are exact. How a
 sample follows from the coordinates is differentiated by central differences, whose error of 1e-8 no trajectory notices:
 the map costs as much for a point as a fifth of a likelihood.
+
+The prior of a spin has a cusp at 0, which the coordinates do not take away: its slope is without bound, and a step
+there goes astray. Trajectories may follow any force that depends on the place alone, as long as what is accepted goes
+by the density: theirs is the slope of the prior over a part of the posterior's width, without the cusp.
 """
 
 from __future__ import annotations
@@ -53,6 +57,8 @@ class Density:
         self._coordinates = coordinates_of(self._cube, sites, tides=False)
         self.dimensions = len(self._cube)
         self.evaluated = 0
+        self.smooth = np.full(self.dimensions, _STEP)
+        """Steps of the differences of the prior's volume: see the module's head."""
         psi = self._cube.folded
         self._periods = {"right_ascension": 2.0 * np.pi, "polarization_angle": np.pi / 2.0 if psi else np.pi}
 
@@ -95,12 +101,19 @@ class Density:
             found = self._prepared.bound.gradients(self._batch(samples[rows, 0]))
             columns = [LIKELIHOOD_NAMES.index(name) for name in found.names]
             slopes = self._slopes(samples[rows])[:, :, columns]
-            ahead, behind = volume[rows, 1 : dimensions + 1], volume[rows, dimensions + 1 :]
             value[rows] = found.log_likelihood + volume[rows, 0]
-            gradient[rows] = np.einsum("ndp,np->nd", slopes, found.gradient) + (ahead - behind) / (2.0 * _STEP)
+            gradient[rows] = np.einsum("ndp,np->nd", slopes, found.gradient) + self._force(y[rows])
         lost = ~(np.isfinite(value) & np.isfinite(gradient).all(axis=1))
         value[lost], gradient[lost] = -np.inf, 0.0
         return Evaluated(value, gradient)
+
+    def _force(self, y: Floats) -> Floats:
+        """The smoothed slope of the prior's volume, ``(N, D)``; 0 along what leaves the prior."""
+        steps = np.concatenate([np.diag(self.smooth), -np.diag(self.smooth)])
+        u, volume = self.points((y[:, None, :] + steps).reshape(-1, self.dimensions))
+        volume[((u < 0.0) | (u > 1.0)).any(axis=1)] = np.nan
+        ahead, behind = np.split(volume.reshape(len(y), -1), 2, axis=1)
+        return np.nan_to_num((ahead - behind) / (2.0 * self.smooth))
 
     def _samples(self, y: Floats) -> tuple[Floats, Floats, NDArray[np.bool_]]:
         """Samples of the likelihood ``(N, 13)``, ln of the volume, and which are inside the prior."""
