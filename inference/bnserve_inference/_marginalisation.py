@@ -234,8 +234,10 @@ class DistanceIntegral:
         total = np.zeros(len(top))
         shares = []
         for node, weight in enumerate(rule.weights):  # in a fixed order, whatever the number of rows
-            shares.append(weight * np.exp(exponent[:, node] - top))
-            total += shares[-1]
+            share = weight * np.exp(exponent[:, node] - top)
+            total += share
+            if means is not None:
+                shares.append(share)
         if means is not None:
             of_u = u * bessel_ratio(amplitude) if phase else u
             means[0] = sum(share * of_u[:, node] for node, share in enumerate(shares)) / total
