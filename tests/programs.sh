@@ -2,7 +2,7 @@
 # Scripts of users of other programs, against a running server: each program from the index, in an environment of its own.
 #
 #   bash tests/programs.sh bilby                    one or several of: bilby bilby_pipe pycbc bajes gwfish pesummary
-#                                                   umbridge examples beside
+#                                                   umbridge jim examples beside
 #   bash tests/programs.sh --short bilby            the least of it, in the environment of the tests, in a minute
 #   bash tests/programs.sh --cache DIR bilby        environments and what is fetched are kept there (.venv-programs)
 #
@@ -234,6 +234,13 @@ gwfish() {
     stop
 }
 
+# jim's likelihoods, full and by relative binning, with our waveform among ripple's.
+
+jim() {
+    environment jim-0.5.2 jimgw==0.5.2 ./protocol ./model_store ./surrogate ./inference ./jax_model
+    check "jim 0.5.2" "$python" tests/programs/jim_likelihoods.py
+}
+
 # The README's install in an environment that is made for it, its first command, and every example as its first lines say.
 
 examples() {
@@ -311,11 +318,11 @@ beside() {
     done
 }
 
-[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby bilby_pipe pycbc bajes gwfish pesummary umbridge examples beside\n' >&2; exit 2; }
+[ "${#programs[@]}" -gt 0 ] || { printf 'error: which program? bilby bilby_pipe pycbc bajes gwfish pesummary umbridge jim examples beside\n' >&2; exit 2; }
 for program in "${programs[@]}"; do
     case "$program" in
-        bilby | bilby_pipe | pycbc | bajes | gwfish | pesummary | umbridge | examples | beside) "$program" ;;
-        *) printf 'error: no program %s; there are bilby, bilby_pipe, pycbc, bajes, gwfish, pesummary, umbridge, examples, beside\n' "$program" >&2; exit 2 ;;
+        bilby | bilby_pipe | pycbc | bajes | gwfish | pesummary | umbridge | jim | examples | beside) "$program" ;;
+        *) printf 'error: no program %s; there are bilby, bilby_pipe, pycbc, bajes, gwfish, pesummary, umbridge, jim, examples, beside\n' "$program" >&2; exit 2 ;;
     esac
 done
 
