@@ -17,7 +17,7 @@ Density = Callable[[Floats], tuple[Floats, Floats]]
 
 _ACCEPTANCE = 0.8
 """What the step aims at, as Stan's."""
-_SHORT, _LONG = 5, 10
+_SHORT, _LONG = 5, 6
 """The most doublings of a trajectory while the metric is not known, and afterwards."""
 
 
