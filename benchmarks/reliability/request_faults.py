@@ -63,14 +63,14 @@ def prefix_compare() -> None:
     find: Any = TokenCheck._find
     known: list[bytes] = []
 
-    def find_by_prefix(self: TokenCheck, given: Any) -> Any:
+    def find_by_prefix(self: TokenCheck, given: Any, route: str) -> Any:
         sent = given if isinstance(given, bytes) else dict(given).get(b"authorization", b"")
         try:
-            token = find(self, given)
+            token = find(self, given, route)
         except Unauthorized:
             for right in known:
                 if len(sent) > len(b"Bearer ") and right.startswith(sent):
-                    return find(self, right if isinstance(given, bytes) else [(b"authorization", right)])
+                    return find(self, right if isinstance(given, bytes) else [(b"authorization", right)], route)
             raise
         known.append(sent)
         return token

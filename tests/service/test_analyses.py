@@ -7,7 +7,7 @@ import msgpack
 import numpy as np
 import pytest
 
-from bnserve_protocol import TimeMarginalisation, encode_analysis
+from bnserve_protocol import LIKELIHOOD_NAMES, TimeMarginalisation, encode_analysis
 from bnserve_protocol.wire import encode_likelihood_request
 from bnserve_service import Token
 from tests.service.asking import JSON, MSGPACK, as_array, ask, question, raw_connection, read_msgpack, read_response
@@ -35,8 +35,8 @@ def test_an_analysis_lives_from_its_upload_to_its_end(start):
     first = upload(server.address, ANALYSIS)
     assert first.status == 201
     assert first.document == {
-        "sha256": NAME, "kind": "full", "detectors": ["H1", "L1"], "nodes": 177, "samples_per_row": 531,
-        "stored_bytes": len(BODY), "model_digest": None,
+        "sha256": NAME, "kind": "full", "detectors": ["H1", "L1"], "parameters": list(LIKELIHOOD_NAMES), "nodes": 177,
+        "samples_per_row": 531, "stored_bytes": len(BODY), "model_digest": None,
     }  # fmt: skip
     assert upload(server.address, ANALYSIS).status == 200
     assert ask(server.address, "GET", AT).document == first.document

@@ -17,7 +17,10 @@ from tests.service.test_metrics import value
 GREEDY, MODEST = "the-greedy-token", "the-modest-token"
 SIZE = 2**20
 ROOM = 4 * (SIZE - UNCOUNTED)
-LIMITS = {"max_body_bytes": SIZE, "max_analysis_bytes": SIZE, "max_incoming_bytes": ROOM, "body_timeout": 60.0}
+LIMITS = {
+    "max_body_bytes": SIZE, "max_analysis_bytes": SIZE, "max_network_bytes": SIZE, "max_incoming_bytes": ROOM,
+    "body_timeout": 60.0,
+}  # fmt: skip
 PATHS = {
     "waveforms": "POST /v1/models/chirp/waveforms",
     "likelihoods": f"POST /v1/models/chirp/likelihoods/{'0' * 64}",
@@ -140,4 +143,4 @@ def test_the_room_is_among_the_limits(server):
 
 def test_a_room_that_the_largest_body_does_not_fit_in_is_refused():
     with pytest.raises(ValueError, match="max_incoming_bytes must be at least 2097152"):
-        Settings(max_body_bytes=2**20, max_analysis_bytes=2**21, max_incoming_bytes=2**20)
+        Settings(max_body_bytes=2**20, max_network_bytes=2**20, max_analysis_bytes=2**21, max_incoming_bytes=2**20)

@@ -25,7 +25,7 @@ from tests.architecture.rooms import ROOT, room_environment
 from tests.certificates import certificates
 
 TOKEN = "a-long-enough-token"
-PUBLIC = {"analyse", "train", "lal", "roq", "frames", "bilby", "progress", "buckets", "oidc", "otel", "ray"}
+PUBLIC = {"analyse", "train", "jax", "lal", "roq", "frames", "bilby", "progress", "buckets", "oidc", "otel", "ray"}
 """Extras of the repository for users; the others are for its tests and measurements, or are of the past."""
 
 
