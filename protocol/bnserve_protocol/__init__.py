@@ -16,7 +16,7 @@ from bnserve_protocol._analyses import (
     likelihood_nodes,
     likelihood_samples,
 )
-from bnserve_protocol._analysis_checks import check_arms, check_location, check_settings
+from bnserve_protocol._analysis_checks import check_arms, check_detector_names, check_location, check_settings
 from bnserve_protocol._analysis_settings import (
     DEFAULT_ERROR_BOUND,
     AnalysisKind,
@@ -185,9 +185,9 @@ __all__ = [
     "SchemaUnknown", "Seed", "SignalToNoise", "StoreUnknown", "TimeGrid", "TimeMarginalisation", "TimeSeries",
     "TooLarge", "Unauthorized", "Unavailable", "UndecodableBody", "UniformGrid", "UnsupportedMediaType",
     "UntrustedAnswer", "VersionExists", "WaveformModel", "__version__", "as_frequencies", "as_numbers",
-    "as_real_number", "as_real_numbers", "by_given_names", "check_arms", "check_band", "check_dtype",
-    "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options", "check_prior",
-    "check_settings", "check_table", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis",
+    "as_real_number", "as_real_numbers", "by_given_names", "check_arms", "check_band", "check_detector_names",
+    "check_dtype", "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options",
+    "check_prior", "check_settings", "check_table", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis",
     "decode_network", "encode_analysis", "forecast_batch", "forecast_work", "from_triangle", "gradient_names",
     "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples", "nothing_integrated", "plain_grid",
     "plain_options", "predict_time_domain", "printable", "random_numbers", "read_table", "refuse_rows", "require",

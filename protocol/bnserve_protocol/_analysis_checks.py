@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import msgspec
@@ -88,10 +88,30 @@ def _check_modes(settings: AnalysisSettings) -> None:
 def _check_detectors(detectors: tuple[str, ...]) -> None:
     if not 1 <= len(detectors) <= _MOST_DETECTORS:
         raise AnalysisInvalid(f"An analysis has 1 to {_MOST_DETECTORS} detectors; got {len(detectors)}.")
-    for name in detectors:
+    check_detector_names(detectors)
+
+
+def check_detector_names(names: Sequence[str]) -> None:
+    """Refuse a detector that is there twice, which would count twice, and names that no file or address could have.
+
+    Two of different names may be at one place: so are H1 and H2.
+
+    Raises
+    ------
+    AnalysisInvalid
+        A name is there twice, or is none.
+    """
+    for name in names:
         plain = name.isascii() and name.replace("-", "").replace("_", "").isalnum() and len(name) <= 32
-        if not plain or detectors.count(name) > 1:
-            raise AnalysisInvalid("Detectors have distinct names of at most 32 letters, digits, '-' and '_'.")
+        twice = plain and names.count(name) > 1
+        if twice or not plain:
+            raise AnalysisInvalid(
+                "Detectors have distinct names of at most 32 letters, digits, '-' and '_'; got "
+                + (f"'{name}' {names.count(name)} times." if twice else f"'{name[:32]}'."),
+                errors=[
+                    FieldError(reason="not distinct" if twice else "no name", parameter="detectors", value=name[:32])
+                ],
+            )
 
 
 def _check_time_grid(settings: AnalysisSettings) -> None:

@@ -16,6 +16,7 @@ import msgspec
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_protocol._analysis_checks import check_detector_names
 from bnserve_protocol._errors import AnalysisInvalid, FieldError, UndecodableBody
 from bnserve_protocol._modes import Mode
 from bnserve_protocol.wire._arrays import decode_real, is_array, raw_array
@@ -99,7 +100,7 @@ class DetectorNetwork:
     Raises
     ------
     AnalysisInvalid
-        More detectors than a network has, or none; or no band.
+        More detectors than a network has, none, or one twice; or no band.
     """
 
     detectors: Sequence[NetworkDetector]
@@ -114,6 +115,7 @@ class DetectorNetwork:
                 f"A network has 1 to {MOST_DETECTORS} detectors; got {len(self.detectors)}.",
                 errors=[FieldError(reason="too many or none", parameter="detectors")],
             )
+        check_detector_names([detector.name for detector in self.detectors])
         check_band(self.f_min, self.f_max)
 
     @property

@@ -142,6 +142,8 @@ def test_what_the_client_refuses_itself(address):
         remote.forecast({"detectors": []}, binaries(1))
     with pytest.raises(AnalysisInvalid, match="1 to 16"):
         DetectorNetwork([], 15.0, 1024.0, TRIGGER)
+    with pytest.raises(AnalysisInvalid, match="got 'E1' 2 times"):
+        DetectorNetwork([NetworkDetector("E1", "ET-D"), NetworkDetector("E1", "CE40")], 15.0, 1024.0, TRIGGER)
     with (
         BackgroundServer(Settings(port=0, max_network_bytes=2048)) as small,
         RemoteModel.connect(small.address) as remote,

@@ -12,6 +12,27 @@ BINARY = {
 }  # fmt: skip
 
 
+SIXTEEN = (
+    "E1",
+    "E2",
+    "E3",
+    "ETS1",
+    "ETS2",
+    "ETS3",
+    "ETM1",
+    "ETM2",
+    "ETM3",
+    "ETSL",
+    "ETML",
+    "CE40",
+    "CE20",
+    "H1",
+    "L1",
+    "V1",
+)
+"""As many detectors as a network has."""
+
+
 def network(names=("E1", "E2", "E3"), noise="ET-D", **changes):
     told = {"detectors": [{"name": name, "noise": noise} for name in names], "f_min": 20.0, "f_max": 1024.0}
     return told | {"trigger_time": 1187008882.4} | changes

@@ -13,7 +13,7 @@ from bnserve_service import BackgroundServer, Settings, Token
 from bnserve_surrogate import Model
 from tests.service.asking import JSON, MSGPACK, ask, read_msgpack
 from tests.service.chirp import ChirpModel
-from tests.service.networks import BINARY, network, put
+from tests.service.networks import BINARY, SIXTEEN, network, put
 from tests.service.networks import forecast as evaluate
 from tests.service.test_metrics import value
 
@@ -153,7 +153,8 @@ BAD_NETWORKS = {
     "no band": (network(f_min=20.0, f_max=20.0), "analysis-invalid", "0 < f_min < f_max"),
     "no time": (network(trigger_time=-1.0), "analysis-invalid", "GPS time"),
     "no detectors": (network(()), "body-undecodable", "detectors"),
-    "too many": (network(["E1"] * 17), "body-undecodable", "detectors"),
+    "too many": (network((*SIXTEEN, "K1")), "body-undecodable", "detectors"),
+    "one twice": (network(("E1", "H1", "E1")), "analysis-invalid", "got 'E1' 2 times"),
     "a field more": (network(colour="blue"), "body-undecodable", "colour"),
     "a name of a terminal": (network(("E1\x1b[2J",)), "body-undecodable", "name"),
     "half a detector": (
@@ -249,7 +250,7 @@ def test_sizes_are_limited(start):
     assert answer.status == 201
     many = {"parameters": BINARY | {"lambda_1": [400.0] * 9}}
     refusal(evaluate(server.address, sha256, many, model="chirp"), 413, "too-large", "at most 8 rows")
-    refusal(put(server.address, network(["E1"] * 16 + ["H1"] * 8 + ["L1"] * 8))[0], 413, "too-large", "1024")
+    refusal(put(server.address, network(SIXTEEN, noise=CURVE))[0], 413, "too-large", "1024")
     assert ask(server.address, "GET", "/v1/limits").document["max_network_bytes"] == 1024
 
 
@@ -259,7 +260,7 @@ def test_work_is_limited(start):
     asked = {"parameters": BINARY, "output": "snr"}
     more = asked | {"parameters": BINARY | {"lambda_1": [400.0] * 6}}
     refusal(evaluate(server.address, sha256, more, model="chirp"), 413, "too-large", "at most 1 at a time")
-    _, sha256 = put(server.address, network(["E1"] * 16))
+    _, sha256 = put(server.address, network(SIXTEEN))
     refusal(evaluate(server.address, sha256, asked, model="chirp"), 413, "too-large", "fewer detectors")
 
 

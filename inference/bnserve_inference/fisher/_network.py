@@ -15,7 +15,14 @@ from bnserve_inference._detectors import Detector
 from bnserve_inference._earth import sidereal_time
 from bnserve_inference._noise import LEAST_ASD
 from bnserve_inference._units import ASD_UNIT, in_units
-from bnserve_protocol import AnalysisInvalid, DetectorNetwork, FieldError, NetworkDetector, check_band
+from bnserve_protocol import (
+    AnalysisInvalid,
+    DetectorNetwork,
+    FieldError,
+    NetworkDetector,
+    check_band,
+    check_detector_names,
+)
 
 Floats = NDArray[np.float64]
 
@@ -122,7 +129,7 @@ class Network:
     Raises
     ------
     AnalysisInvalid
-        Not as many curves as detectors, or a band in which none of them has data.
+        Not as many curves as detectors, a detector twice, or a band in which none of them has data.
     """
 
     detectors: Sequence[Detector | str]
@@ -140,6 +147,7 @@ class Network:
             raise AnalysisInvalid(
                 f"A network has a noise curve for each of its detectors; got {len(found)} and {len(self.noise)}."
             )
+        check_detector_names([site.name for site in found])
         check_band(self.f_min, self.f_max)
         if not any(curve.frequencies[0] < self.f_max and curve.frequencies[-1] > self.f_min for curve in self.noise):
             raise AnalysisInvalid("None of the noise curves has data in the band of the network.")

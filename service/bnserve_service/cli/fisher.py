@@ -115,7 +115,11 @@ def _network(options: argparse.Namespace, trigger: float) -> Any:
     from bnserve_inference.fisher import Network, NoiseCurve
 
     names = [name for word in options.network.split(",") for name in NETWORKS.get(word.strip(), (word.strip(),))]
-    files = dict(_pair(text, "--noise") for text in options.noise)
+    files = _by_name(options.noise, "--noise")
+    if unused := [name for name in files if name not in names]:
+        raise _refusal(
+            f"--noise has a file of {unused[0][:80]}, which is not in the network: {', '.join(names)[:200]}."
+        )
     curves = []
     for name in names:
         if name in files:
@@ -130,20 +134,25 @@ def _network(options: argparse.Namespace, trigger: float) -> Any:
 
 def _priors(given: list[str]) -> dict[str, float]:
     widths = {}
-    for text in given:
-        name, width = _pair(text, "--prior")
+    for name, width in _by_name(given, "--prior").items():
         try:
             widths[name] = float(width)
         except ValueError:
-            raise _refusal(f"'{text[:80]}' of --prior has no number after the sign.") from None
+            raise _refusal(f"'{name[:80]}={width[:80]}' of --prior has no number after the sign.") from None
     return widths
 
 
-def _pair(text: str, option: str) -> tuple[str, str]:
-    name, sign, value = text.partition("=")
-    if not sign or not name or not value:
-        raise _refusal(f"{option} takes NAME=VALUE; got '{text[:80]}'.")
-    return name, value
+def _by_name(given: list[str], option: str) -> dict[str, str]:
+    """The values of an option that is given once for each name."""
+    found: dict[str, str] = {}
+    for text in given:
+        name, sign, value = text.partition("=")
+        if not sign or not name or not value:
+            raise _refusal(f"{option} takes NAME=VALUE; got '{text[:80]}'.")
+        if name in found:
+            raise _refusal(f"{option} is given twice for {name[:80]}: leave one of them out.")
+        found[name] = value
+    return found
 
 
 def _refusal(sentence: str) -> Exception:

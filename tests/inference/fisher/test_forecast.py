@@ -246,6 +246,18 @@ def test_what_is_no_network_or_prior_is_refused(model):
         forecast(model, network(), BINARY, ForecastOptions(coordinates=("chirp", *COORDINATES[1:])))
 
 
+def test_a_detector_counts_once_and_two_at_one_place_count_both(model):
+    for twice in (["E1", "H1", "E1"], [Detector.named("E1"), "E1"]):
+        with pytest.raises(AnalysisInvalid, match=r"distinct names .* got 'E1' 2 times"):
+            network(twice)
+    site = Detector.named("E1")
+    with pytest.raises(AnalysisInvalid, match=r"distinct names .* got 'E 1'"):
+        network([Detector("E 1", site.response, site.location)])
+    beside = Detector("E1-beside", site.response, site.location)
+    one, both = (signal_to_noise(model, network(sites), BINARY) for sites in (["E1"], ["E1", beside]))
+    assert both.snr == pytest.approx(np.sqrt(2.0) * one.snr, rel=1e-14)
+
+
 def test_a_row_that_coordinates_cannot_tell_from_others_is_named_by_its_place_in_the_whole_batch(model):
     """Rows before it that are not evaluated, and blocks before its own, count."""
     batch = LikelihoodBatch(np.repeat(LikelihoodBatch.coerce(BINARY).values, 1030, axis=0))
