@@ -17,6 +17,7 @@ from bnserve_inference._modes import chosen_modes, options_for, orders
 from bnserve_inference._noise import gaussian_noise
 from bnserve_inference._passing import passing_times
 from bnserve_inference._response import antenna_pattern, delays, patterns, time_delay
+from bnserve_inference._rows import on_the_sky
 from bnserve_inference._units import in_units
 from bnserve_protocol import (
     AnalysisInvalid,
@@ -26,6 +27,7 @@ from bnserve_protocol import (
     LikelihoodBatch,
     LikelihoodParameters,
     Mode,
+    OutOfDomain,
     Response,
     WaveformModel,
 )
@@ -63,9 +65,17 @@ def detector_strain(
     ------
     AnalysisInvalid
         Frequencies that are not increasing, with a response that moves; or another response.
+    OutOfDomain
+        The declination is beyond a pole, or the model does not cover the binary.
     """
     check_response(response)
     batch = LikelihoodBatch.coerce(parameters)
+    if not on_the_sky(batch).all():
+        raise OutOfDomain(
+            "A source has a declination from -pi / 2 to pi / 2 and angles below 1e6, in radians; got a declination of "
+            f"{parameters.declination!r} and a right ascension of {parameters.right_ascension!r}.",
+            errors=[FieldError(reason="no place in the sky", parameter="declination", value=parameters.declination)],
+        )
     options = EvaluationOptions(alignment=alignment, modes=modes, reference_frequency=reference_frequency)  # type: ignore[arg-type]  # lists become tuples
     now, rate = sidereal_time(trigger_time)
     sidereal = now + rate * parameters.coalescence_time

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 import msgspec
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +25,23 @@ _LARGEST_ANGLE = 1e6
 _ANGLES = ("right_ascension", "declination", "polarization_angle", "inclination", "reference_phase")
 _SLACK = 1e-12
 """Relative width by which a value may miss the end of its range through rounding, as a chirp mass does."""
+
+
+_POLE = 0.5 * np.pi * (1.0 + _SLACK)
+
+
+def on_the_sky(batch: LikelihoodBatch, ignored: Collection[str] = ()) -> NDArray[np.bool_]:
+    """Rows, ``(N,)``, whose declination is between the poles and whose angles, but for ``ignored`` ones, have digits.
+
+    Beyond a pole the formulas go on, to a place in the sky on its other side: that is more often a declination in
+    degrees. Other angles are those of a circle, and so is an inclination: beyond pi it is one below it, seen from where
+    the orbit has turned by half.
+    """
+    found = np.abs(batch["declination"]) <= _POLE
+    for name in _ANGLES:
+        if name not in ignored:
+            found &= np.abs(batch[name]) <= _LARGEST_ANGLE
+    return np.asarray(found)
 
 
 def check_batch(batch: LikelihoodBatch, settings: AnalysisSettings) -> None:
@@ -59,11 +78,8 @@ def row_statuses(
     ignored = integrated_names(settings)
     used = [column for column, name in enumerate(LIKELIHOOD_NAMES) if name not in ignored]
     status = np.zeros(len(batch), dtype=np.uint8)
-    inside = np.ones(len(batch), dtype=bool)
     with np.errstate(invalid="ignore", over="ignore", divide="ignore"):
-        for name in _ANGLES:
-            if name not in ignored:
-                inside &= np.abs(batch[name]) <= _LARGEST_ANGLE
+        inside = on_the_sky(batch, ignored)
         if "coalescence_time" not in ignored:
             inside &= np.abs(batch["coalescence_time"]) <= settings.duration
         for name, (low, high) in settings.prior.items():

@@ -22,7 +22,7 @@ class LikelihoodParameters:
     mass_ratio, lambda_1, lambda_2, chi_1, chi_2, inclination, total_mass, reference_phase
         As in :class:`ParametersWithExtrinsic`.
     right_ascension, declination
-        Of the source, equatorial, in radians.
+        Of the source, equatorial, in radians; a declination beyond a pole is flagged.
     polarization_angle
         psi in radians, as in LAL.
     distance_mpc

@@ -23,7 +23,7 @@ class RowStatus(enum.IntEnum):
     OUT_OF_DOMAIN = 2
     OUT_OF_BAND = 3
     OUT_OF_PRIOR = 4
-    """Of likelihoods: outside the ranges that the analysis is made for."""
+    """Of likelihoods: outside the ranges that the analysis is made for, or with a declination beyond a pole."""
 
 
 _Part = TypeVar("_Part")

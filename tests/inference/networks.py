@@ -36,8 +36,8 @@ def asds():
 
 
 def network(model, detectors=DETECTORS, seed=11, **changes):
-    settings = {"trigger_time": TRIGGER, "start_time": START, "duration": DURATION, "f_min": 30.0} | changes
-    return simulate_data(detectors, asds()[: len(detectors)], model=model, parameters=TRUTH, seed=seed, **settings)
+    settings = {"trigger_time": TRIGGER, "start_time": START, "duration": DURATION, "f_min": 30.0, "parameters": TRUTH}
+    return simulate_data(detectors, asds()[: len(detectors)], model=model, seed=seed, **(settings | changes))
 
 
 def full(data, **options):

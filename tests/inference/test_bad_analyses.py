@@ -25,7 +25,19 @@ from bnserve_protocol import (
     TimeMarginalisation,
 )
 from tests.inference.bases import RANGES, WIDTH, made_basis
-from tests.inference.networks import DURATION, F_MAX, F_MIN, PRIOR, START, TRIGGER, columns, full, without
+from tests.inference.networks import (
+    DURATION,
+    F_MAX,
+    F_MIN,
+    PRIOR,
+    START,
+    TRIGGER,
+    TRUTH,
+    columns,
+    full,
+    network,
+    without,
+)
 from tests.inference.test_kinds_agree import FIDUCIAL, binned
 
 FAR = DistanceMarginalisation(minimum=10.0, maximum=75.0)
@@ -189,6 +201,7 @@ BAD_ROWS = {
     "distance_mpc": (np.nan, RowStatus.NOT_FINITE),
     "coalescence_time": (0.06, RowStatus.OUT_OF_PRIOR),
     "right_ascension": (1e300, RowStatus.OUT_OF_PRIOR),
+    "declination": (-1.571, RowStatus.OUT_OF_PRIOR),
     "polarization_angle": (np.inf, RowStatus.NOT_FINITE),
 }
 
@@ -207,6 +220,26 @@ def test_samples_outside_are_minus_infinity_and_counted(model, data, name):
     asked = likelihood(model, full(data), invalid_rows="error")
     with pytest.raises(OutOfDomain, match=r"Row 2 .* 1 of 4 rows"):
         asked.log_likelihood(batch)
+
+
+@pytest.mark.parametrize("of", ["gradients", "products"])
+def test_a_declination_beyond_a_pole_is_flagged_whatever_is_asked(model, data, of):
+    batch = columns(4)
+    batch["declination"][:3] = [-0.5 * np.pi, 9.0, 0.5 * np.pi]
+    assert getattr(likelihood(model, full(data)), of)(batch).status.tolist() == [0, RowStatus.OUT_OF_PRIOR, 0, 0]
+
+
+def test_an_inclination_beyond_a_half_turn_is_one_below_it_from_the_other_side(model, data):
+    """Of odd modes the sign turns, which is half a turn of the orbit: a whole one of the (2, 2)'s phase."""
+    ours, batch = likelihood(model, full(data)), columns(4)
+    beyond = batch | {"inclination": 2.0 * np.pi - batch["inclination"]}
+    turned = batch | {"reference_phase": batch["reference_phase"] + 2.0 * np.pi}
+    np.testing.assert_allclose(ours.log_likelihood(beyond), ours.log_likelihood(turned), rtol=1e-9)
+
+
+def test_a_signal_from_beyond_a_pole_is_refused(model):
+    with pytest.raises(OutOfDomain, match=r"declination of -23\.4"):
+        network(model, parameters=dataclasses.replace(TRUTH, declination=-23.4))
 
 
 def test_parameters_that_are_not_marginalised_must_be_there(model, data):

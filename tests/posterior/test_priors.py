@@ -150,6 +150,9 @@ def test_half_of_the_polarisation_angle_is_sampled_where_the_other_half_is_the_s
         ({"chi_1": "Gaussian(mu=0, sigma=1)"}, "has no ends"),
         ({"lambda_1": (5.0, 1.0)}, "two increasing numbers"),
         ({"lambda_1": (5.0, math.inf)}, "two increasing numbers"),
+        ({"dec": -23.4}, "from -23.4 to -23.4; it is an angle in radians, from -1.571 to 1.571"),
+        ({"dec": (-1.6, 1.0)}, "isotropic as Cosine"),
+        ({"theta_jn": (0.0, 180.0)}, "in radians, from 0 to 3.142, and isotropic as Sine"),
     ],
 )
 def test_priors_that_no_cube_has_are_refused(changes, sentence):

@@ -127,6 +127,11 @@ def test_rows_that_are_none_are_flagged_and_the_others_are_as_they_are(address, 
     body = msgpack.packb(ONE | {"parameters": BINARY | {"right_ascension": float("nan")}})
     answer = ask(address, "POST", f"/v1/models/default/forecasts/{sha256}", body, content_type=MSGPACK, accept=JSON)
     assert answer.document["status"] == [RowStatus.NOT_FINITE]
+    nowhere = ONE | {"parameters": BINARY | {"declination": [9.0, -0.4, -0.4], "coalescence_time": [0.0, 1e12, 0.0]}}
+    for output in ("errors", "snr"):
+        found = evaluate(address, sha256, nowhere | {"output": output}).document
+        assert found["status"] == [RowStatus.OUT_OF_DOMAIN, RowStatus.OUT_OF_DOMAIN, RowStatus.OK]
+        assert found["snr"][:2] == [None, None]
     above = evaluate(address, sha256, ONE | {"reference_frequency": 5e4}).document
     assert above["status"] == [RowStatus.OUT_OF_BAND]
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._detectors import Detector
-from bnserve_inference._earth import sidereal_time
+from bnserve_inference._earth import sidereal_rate, sidereal_time
 from bnserve_inference._modes import orders
 from bnserve_inference._response import LIGHT_SPEED
 from bnserve_inference.fisher._gauss import slopes
@@ -62,7 +62,7 @@ class Factorisation:
         f = nodes.frequencies[nodes.places]
         self._detectors, self._modes, self._groups = len(network.noise), len(modes), len(different)
         self._held = [
-            np.array(sidereal_time(network.trigger_time)),
+            np.array([sidereal_time(network.trigger_time)[0], sidereal_rate(network.trigger_time)]),
             np.array([_arms(site) for site in network.sites]),
             np.array([site.location for site in network.sites]) / LIGHT_SPEED,
             with_curve,

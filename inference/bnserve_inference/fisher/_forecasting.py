@@ -12,6 +12,7 @@ from bnserve_inference.fisher._factorisation import Factorisation
 from bnserve_inference.fisher._matrix import LARGEST_CONDITION, condition
 from bnserve_inference.fisher._network import Network
 from bnserve_inference.fisher._nodes import nodes_of
+from bnserve_inference.fisher._places import flagged, without_the_unplaced
 from bnserve_protocol import (
     DEFAULT_FORECAST,
     DERIVATIVE_NAMES,
@@ -71,7 +72,8 @@ def forecast(
     model
         Whose waveforms; it has derivatives.
     samples
-        The binaries, as a likelihood takes them, with distance and ``coalescence_time``.
+        The binaries, as a likelihood takes them, with distance and ``coalescence_time``; those whose declination is
+        beyond a pole, or who merge before 1980 or after 2100, are flagged as ``OUT_OF_DOMAIN``.
 
     Raises
     ------
@@ -83,7 +85,7 @@ def forecast(
     if (own := getattr(model, "forecast", None)) is not None:  # a remote one, which makes them where it is
         remote: Forecast = own(network, samples, options)
         return remote
-    batch = forecast_batch(samples)
+    batch, lost = without_the_unplaced(forecast_batch(samples), network)
     names, widths = options.names, dict(options.priors or {})
     _check(options)
     modes = chosen_modes(options.modes, model.description)
@@ -104,7 +106,8 @@ def forecast(
             roots.append(factored.root)
             squares.append(factored.squares)
             status.append(np.maximum(found.status, held[rows]))
-    return _forecast(names, model, batch, np.concatenate(roots), np.concatenate(squares), np.concatenate(status))
+    flags = flagged(np.concatenate(status), lost)
+    return _forecast(names, model, batch, np.concatenate(roots), np.concatenate(squares), flags)
 
 
 def _check(options: ForecastOptions) -> None:

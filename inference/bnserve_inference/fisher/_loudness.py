@@ -9,6 +9,7 @@ from bnserve_inference._modes import QUADRUPOLE, chosen_modes, options_for, orde
 from bnserve_inference.fisher._factorisation import Factorisation
 from bnserve_inference.fisher._network import Network
 from bnserve_inference.fisher._nodes import WIDE, Nodes, nodes_of
+from bnserve_inference.fisher._places import flagged, without_the_unplaced
 from bnserve_protocol import (
     DEFAULT_FORECAST,
     ForecastOptions,
@@ -37,7 +38,7 @@ def signal_to_noise(
     model
         Whose waveforms, local or a server's; it need not have derivatives.
     samples
-        The binaries, as a likelihood takes them, with distance and ``coalescence_time``.
+        The binaries, as :func:`.forecast` takes and flags them.
     options
         ``modes`` and ``alignment`` of them; nothing else matters here.
 
@@ -51,7 +52,7 @@ def signal_to_noise(
     if (own := getattr(model, "signal_to_noise", None)) is not None:  # as of forecasts
         remote: SignalToNoise = own(network, samples, options)
         return remote
-    batch = forecast_batch(samples)
+    batch, lost = without_the_unplaced(forecast_batch(samples), network)
     modes = chosen_modes(options.modes, model.description)
     nodes = nodes_of(network, orders(modes), WIDE)
     factorisation = Factorisation(network, nodes, modes)
@@ -65,9 +66,9 @@ def signal_to_noise(
         phases = _phases(model, nodes, waveforms, modes, options.alignment) if network.moving else None
         squares.append(factorisation.squares(found, phases, part))
         status.append(found.status)
-    whole, flags = np.concatenate(squares), np.concatenate(status)
-    lost = ~np.isfinite(whole).all(axis=1)
-    whole[lost], flags[lost] = np.nan, np.maximum(flags[lost], RowStatus.NOT_FINITE)
+    whole, flags = np.concatenate(squares), flagged(np.concatenate(status), lost)
+    bad = ~np.isfinite(whole).all(axis=1)
+    whole[bad], flags[bad] = np.nan, np.maximum(flags[bad], RowStatus.NOT_FINITE)
     return SignalToNoise(np.sqrt(whole.sum(axis=1)), np.sqrt(whole), flags)
 
 

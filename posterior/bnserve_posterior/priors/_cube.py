@@ -16,6 +16,9 @@ from bnserve_protocol import LikelihoodBatch
 Floats = NDArray[np.float64]
 
 _QUARTER = 0.5 * math.pi
+_RADIANS = {"dec": (-_QUARTER, _QUARTER, "Cosine()"), "theta_jn": (0.0, math.pi, "Sine()")}
+"""Where angles from pole to pole are, and the isotropic prior: the likelihood goes on beyond them, or has nothing."""
+_SLACK = 1e-9
 _DRAWS, _SEED = 200_000, 12
 """For the part of the cube that constraints leave: known to a thousandth."""
 
@@ -48,7 +51,7 @@ class PriorCube:
     Raises
     ------
     EventInvalid
-        Priors that depend on each other, or none that varies.
+        Priors that depend on each other, of angles beyond a pole, or none that varies.
     """
 
     def __init__(
@@ -66,6 +69,7 @@ class PriorCube:
                 raise EventInvalid(f"The prior of '{name}' depends on others; give one that stands for itself.")
             if not (math.isfinite(priors[name].minimum) and math.isfinite(priors[name].maximum)):
                 raise EventInvalid(f"The prior of '{name}' has no ends; give one with a minimum and a maximum.")
+        _check_angles({name: priors[name] for name in (*varied, *self.fixed)})
         gone = {"coalescence_time" if name == "geocent_time" else name for name in integrated}
         self.names = tuple(name for name in varied if name not in gone)
         for name in gone:
@@ -153,6 +157,17 @@ class PriorCube:
             return False
         prior = self.priors["psi"]
         return type(prior) is Uniform and math.isclose(prior.maximum - prior.minimum, math.pi)
+
+
+def _check_angles(priors: dict[str, Any]) -> None:
+    for name in _RADIANS.keys() & priors.keys():
+        least, most, isotropic = _RADIANS[name]
+        low, high = priors[name].minimum, priors[name].maximum
+        if low < least - _SLACK or high > most + _SLACK:
+            raise EventInvalid(
+                f"The prior of '{name}' is from {low:g} to {high:g}; it is an angle in radians, from {least:.4g} to "
+                f"{most:.4g}, and isotropic as {isotropic}."
+            )
 
 
 def _from_trigger(priors: Any, trigger_time: float) -> dict[str, Any]:
