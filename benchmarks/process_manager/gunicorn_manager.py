@@ -285,8 +285,7 @@ class _Steward:
             if beats % 2 == 0:
                 self._parts.metrics.publish()
             if beats % 10 == 0:
-                self._parts.grids.tidy()
-                self._parts.analyses.tidy()
+                self._parts.uploads.tidy()
             beats += 1
             await asyncio.sleep(BEAT_SECONDS)
 
@@ -311,7 +310,7 @@ class _Steward:
             return
         if parts.lifecycle.draining:
             self._retire("stopped")
-        elif parts.queue.workers.longest_evaluation() > parts.settings.stuck_seconds:
+        elif parts.evaluation.queue.workers.longest_evaluation() > parts.settings.stuck_seconds:
             self._retire("stuck")
         elif not parts.shared.is_dir() or (self._is_late(now) and board.count(SERVES)):
             self._retire("unready")

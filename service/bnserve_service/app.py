@@ -15,17 +15,13 @@ from fastapi import APIRouter, FastAPI
 from starlette.routing import Route
 from starlette.types import Receive, Scope, Send
 
-from bnserve_protocol import BnserveError, Unavailable, decode_analysis
+from bnserve_protocol import BnserveError, Unavailable
 from bnserve_service.admission.control import Lifecycle, Phase
-from bnserve_service.admission.queue import WorkQueue
 from bnserve_service.admission.token_book import TokenBook
 from bnserve_service.evaluation.endpoint import EvaluationEndpoint, FastPath
-from bnserve_service.evaluation.forecasts import Forecasts, build_network, make_forecast
-from bnserve_service.evaluation.likelihoods import Likelihoods, bind_likelihood
-from bnserve_service.evaluation.questions import Kind, Question
-from bnserve_service.evaluation.service import EvaluationService, Outcome
-from bnserve_service.evaluation.umbridge import ApplyJacobian, Evaluate, Gradient
-from bnserve_service.evaluation.waveforms import Waveforms
+from bnserve_service.evaluation.kinds import all_kinds
+from bnserve_service.evaluation.questions import Kind
+from bnserve_service.evaluation.service import EvaluationService
 from bnserve_service.http.access import METRICS, HostCheck, TokenCheck, is_public
 from bnserve_service.http.access_log import AccessLog
 from bnserve_service.http.body import BodyReader
@@ -45,9 +41,10 @@ from bnserve_service.routes.uploads import Receiver, analysis_router, grid_route
 from bnserve_service.settings import Settings
 from bnserve_service.shared.metrics import SharedMetrics
 from bnserve_service.telemetry.metrics import Metrics
+from bnserve_service.uploads.analyses import LikelihoodFactory
 from bnserve_service.uploads.blobs import gone
 from bnserve_service.uploads.storage_quotas import StorageQuotas
-from bnserve_service.uploads.stores import AnalysisStore, GridStore, LikelihoodFactory, NetworkStore
+from bnserve_service.uploads.uploads import Uploads
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,10 +53,7 @@ class Parts:
 
     settings: Settings
     registry: Registry
-    grids: GridStore
-    analyses: AnalysisStore
-    networks: NetworkStore
-    queue: WorkQueue[Question, Outcome]
+    uploads: Uploads
     kinds: tuple[Kind[Any], ...]
     evaluation: EvaluationService
     lifecycle: Lifecycle
@@ -127,28 +121,25 @@ class Application(FastAPI):
 
         Its router would match every path again, and its exception middlewares answer errors in a form of their own.
         """
-        parts, limits = self.parts, self.parts.settings.limits()
+        parts, settings, uploads = self.parts, self.parts.settings, self.parts.uploads
         most = parts.tokens.stored_bytes if parts.tokens is not None else _no_limit
-        quotas = StorageQuotas(
-            most, {"grid": parts.grids, "analysis": parts.analyses, "network": parts.networks}, parts.shared
-        )
-        receiver = Receiver(parts.bodies, quotas)
+        receiver = Receiver(parts.bodies, StorageQuotas(most, uploads.by_kind, parts.shared), parts.lifecycle)
         routers = [
-            model_router(parts.registry, limits),
-            grid_router(parts.grids, receiver, parts.settings),
-            analysis_router(parts.analyses, receiver, parts.settings, parts.lifecycle),
-            network_router(parts.networks, receiver, parts.settings, parts.lifecycle),
-            umbridge_router(parts.registry, parts.analyses, parts.bodies, parts.settings),
+            model_router(parts.registry, settings.limits()),
+            grid_router(uploads.grids, receiver, settings),
+            analysis_router(uploads.analyses, receiver, settings),
+            network_router(uploads.networks, receiver, settings),
+            umbridge_router(parts.registry, uploads.analyses, parts.bodies, settings),
             health_router(parts.health),
         ]
-        if not parts.settings.reload_is_apart:
+        if not settings.reload_is_apart:
             routers.insert(1, reload_router(parts.maintenance, parts.renewals))
-        if parts.settings.metrics_uds is None and parts.settings.metrics_port is None:
+        if settings.metrics_uds is None and settings.metrics_port is None:
             routers.append(metrics_router(parts.metrics))
         for router in routers:
             self.include_router(router)
         operations = {path: kind.operation for kind in parts.kinds for path in kind.paths}
-        document = openapi_document(self, operations, parts.settings.asks_for_tokens)
+        document = openapi_document(self, operations, settings.asks_for_tokens)
         return [*routers, explorer_router(msgspec.json.encode(document))]
 
 
@@ -173,7 +164,7 @@ def _front(
         places_of(evaluations, routes),
         hosts,
         TokenCheck(tokens) if tokens is not None else None,
-        parts.queue.turns.turn,
+        parts.evaluation.queue.turns.turn,
         parts.metrics,
         parts.lifecycle,
         listeners,
@@ -185,7 +176,7 @@ def _front(
 @asynccontextmanager
 async def _lifespan(app: Any) -> AsyncIterator[None]:
     parts: Parts = app.parts
-    parts.queue.start()
+    parts.evaluation.queue.start()
     parts.renewals.start()
     if parts.tracing is not None:
         parts.tracing.start()
@@ -198,7 +189,7 @@ async def _lifespan(app: Any) -> AsyncIterator[None]:
     finally:
         await parts.maintenance.stop()
         await parts.renewals.stop()
-        parts.queue.stop(timeout=0.0 if parts.lifecycle.phase is Phase.ABORTING else 10.0)
+        parts.evaluation.queue.stop(timeout=0.0 if parts.lifecycle.phase is Phase.ABORTING else 10.0)
         parts.bodies.close()
         if parts.tracing is not None and parts.lifecycle.phase is not Phase.ABORTING:
             await asyncio.to_thread(parts.tracing.stop)
@@ -243,45 +234,36 @@ def create_app(
     """
     settings, registry = settings or Settings(), registry or Registry()
     metrics = Metrics(SharedMetrics(shared, worker) if shared is not None else None)
-    lifecycle, limits = Lifecycle(), settings.limits()
-    bodies = BodyReader(settings.incoming_bytes, settings.body_timeout)
-    grids, analyses = GridStore(settings, shared), AnalysisStore(settings, decode_analysis, shared)
-    networks = NetworkStore(settings, build_network, shared)
+    lifecycle, bodies = Lifecycle(), BodyReader(settings.incoming_bytes, settings.body_timeout)
+    uploads = Uploads.of(settings, shared)
     evaluation = EvaluationService(settings, registry, lifecycle, bodies, metrics)
     longest, missing = evaluation.queue.workers.longest_evaluation, partial(_missing, settings, shared)
     health = Health(settings, registry, lifecycle, longest, missing)
     maintenance = Maintenance(loader_of(settings, registry, source, factory), registry, health, metrics, settings)
     if shared is not None:
         registry.join(SharedModels(shared, worker), maintenance.poke)
+    tokens = TokenBook(settings.token_files(), shared, settings.issuers) if settings.asks_for_tokens else None
+    renewals = Renewals(settings.poll_seconds)
+    for renew in tokens.renewals if tokens is not None else ():
+        renewals.add(renew)
     parts = Parts(
         settings=settings,
         registry=registry,
-        grids=grids,
-        analyses=analyses,
-        networks=networks,
-        queue=evaluation.queue,
-        kinds=(
-            Waveforms(grids, limits, metrics),
-            Likelihoods(analyses, limits, metrics, bind or bind_likelihood),
-            Forecasts(networks, limits, metrics, make_forecast),
-            *(kind(analyses, limits, metrics, bind or bind_likelihood) for kind in (Evaluate, Gradient, ApplyJacobian)),
-        ),
+        uploads=uploads,
+        kinds=all_kinds(uploads, settings.limits(), metrics, bind),
         evaluation=evaluation,
         lifecycle=lifecycle,
         health=health,
         maintenance=maintenance,
         metrics=metrics,
         bodies=bodies,
-        tokens=TokenBook(settings.token_files(), shared, settings.issuers) if settings.asks_for_tokens else None,
-        renewals=Renewals(settings.poll_seconds),
+        tokens=tokens,
+        renewals=renewals,
         tracing=Tracing.of(settings),
         shared=shared,
         worker=worker,
     )
     _watch(parts)
-    if parts.tokens is not None:
-        for renew in parts.tokens.renewals:
-            parts.renewals.add(renew)
     return Application(parts, wait_for_models, follow)
 
 
@@ -300,22 +282,10 @@ def _missing(settings: Settings, shared: Path | None) -> BnserveError | None:
 
 def _watch(parts: Parts) -> None:
     """Show what operators look at, the first things first."""
-    metrics, queue, analyses = parts.metrics, parts.queue, parts.analyses
-    ready = "1 when the ready path answers 200"
+    metrics, ready = parts.metrics, "1 when the ready path answers 200"
     metrics.watch("bnserve_ready", ready, lambda: float(parts.health.reason_unready() is None), is_common=True)
-    metrics.watch("bnserve_queue_samples", "Work waiting or running, in samples", lambda: queue.cost)
-    metrics.watch("bnserve_queue_jobs", "Requests that no worker has taken yet", lambda: queue.workers.waiting)
-    metrics.watch("bnserve_queue_capacity_samples", "Work that may wait or run", lambda: parts.settings.queue_samples)
-    metrics.watch("bnserve_answers_bytes", "Memory of answers under way", lambda: parts.evaluation.answer_bytes)
-    metrics.watch("bnserve_grids_bytes", "Memory of uploaded grids", lambda: parts.grids.stored_bytes, is_common=True)
-    metrics.watch("bnserve_analyses", "Uploaded analyses", lambda: len(analyses), is_common=True)
-    metrics.watch(
-        "bnserve_analyses_bytes", "Memory of uploaded analyses", lambda: analyses.stored_bytes, is_common=True
-    )
-    metrics.watch("bnserve_networks", "Uploaded networks", lambda: len(parts.networks), is_common=True)
-    metrics.watch(
-        "bnserve_networks_bytes", "Memory of uploaded networks", lambda: parts.networks.stored_bytes, is_common=True
-    )
+    parts.evaluation.watch(metrics)
+    parts.uploads.watch(metrics)
     metrics.watch("bnserve_uploads_bytes", "Memory of large bodies on their way", lambda: parts.bodies.held_bytes)
     metrics.watch_each(
         "bnserve_token_expires_timestamp_seconds",

@@ -36,7 +36,8 @@ from bnserve_protocol.wire import (
 from bnserve_service.evaluation import umbridge
 from bnserve_service.evaluation.umbridge_bodies import UmBridgeGradientRequest, decode
 from bnserve_service.settings import Settings
-from bnserve_service.uploads.stores import GridStore, StoredAnalysis
+from bnserve_service.uploads.analyses import StoredAnalysis
+from bnserve_service.uploads.grids import GridStore
 from bnserve_store._files import decode_manifest
 from bnserve_store._reading import LABELS_FILE, MANIFEST_FILE, TENSORS_FILE, read_artifact, read_labels
 from tests.client.reference_model import binaries

@@ -7,13 +7,12 @@ from bnserve_protocol import (
     AnalysisUnknown,
     TooLarge,
     UndecodableBody,
-    decode_analysis,
     encode_analysis,
 )
 from bnserve_service import Settings
 from bnserve_service.errors import SettingsInvalid
 from bnserve_service.settings import load_settings
-from bnserve_service.uploads.stores import AnalysisStore
+from bnserve_service.uploads.analyses import AnalysisStore
 from tests.service.injections import name_of, small_analysis
 
 ANALYSES = [small_analysis(seed=seed) for seed in range(5)]
@@ -24,10 +23,7 @@ SIZE = len(BODIES[0])
 
 def store(own=10 * SIZE, together=20 * SIZE, count=100):
     return AnalysisStore(
-        Settings(
-            max_analysis_bytes=SIZE, max_owner_analyses_bytes=own, max_analyses_bytes=together, max_analyses=count
-        ),
-        decode_analysis,
+        Settings(max_analysis_bytes=SIZE, max_owner_analyses_bytes=own, max_analyses_bytes=together, max_analyses=count)
     )
 
 
@@ -68,8 +64,8 @@ def test_what_is_listed_is_of_one_owner_and_counts_as_unused(workers, tmp_path):
     """Also what another worker received, which has to be read once."""
     me, you = "1" * 64, "2" * 64
     settings = Settings(max_analysis_bytes=SIZE, max_owner_analyses_bytes=2 * SIZE, max_analyses_bytes=20 * SIZE)
-    received = AnalysisStore(settings, decode_analysis, tmp_path if workers > 1 else None)
-    other = AnalysisStore(settings, decode_analysis, tmp_path) if workers > 1 else received
+    received = AnalysisStore(settings, tmp_path if workers > 1 else None)
+    other = AnalysisStore(settings, tmp_path) if workers > 1 else received
     put(received, me, 0, 1)
     put(received, you, 2)
     assert other.all_bytes_to_read(me) == (2 * SIZE if workers > 1 else 0)

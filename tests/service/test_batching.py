@@ -240,7 +240,7 @@ def test_being_grouped_is_invisible(start):
     model.gate.clear()
     with ThreadPoolExecutor(len(messages) * 2) as callers:
         calls = [callers.submit(evaluate, server.address, message) for message in messages * 2]
-        until(lambda: server.app.parts.queue.workers.waiting >= len(messages) * 2 - 1, "all are waiting")
+        until(lambda: server.app.parts.evaluation.queue.workers.waiting >= len(messages) * 2 - 1, "all are waiting")
         model.gate.set()
         together = [call.result().body for call in calls]
     assert together == alone * 2
@@ -256,7 +256,7 @@ def test_one_bad_request_does_not_spoil_its_group(start):
         blocker = callers.submit(evaluate, server.address, question())
         model.wait_until_entered()
         calls = [callers.submit(evaluate, server.address, question(GW170817 | {"total_mass": m})) for m in masses]
-        until(lambda: server.app.parts.queue.workers.waiting == 4, "four are waiting")
+        until(lambda: server.app.parts.evaluation.queue.workers.waiting == 4, "four are waiting")
         model.gate.set()
         answers = [call.result() for call in calls]
         assert blocker.result().status == 200
@@ -276,13 +276,13 @@ def test_a_caller_that_went_away_is_taken_out_of_the_queue(start):
         leaving = [raw_connection(server.address) for _ in range(10)]
         for connection in leaving:
             connection.sendall(f"{head}content-length: {len(body)}\r\n\r\n".encode() + body)
-        until(lambda: server.app.parts.queue.workers.waiting == 10, "ten are waiting")
+        until(lambda: server.app.parts.evaluation.queue.workers.waiting == 10, "ten are waiting")
         for connection in leaving[:5]:
             connection.close()
         for connection in leaving[5:]:
             connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))
             connection.close()
-        until(lambda: server.app.parts.queue.workers.waiting == 0, "nobody is waiting any more")
+        until(lambda: server.app.parts.evaluation.queue.workers.waiting == 0, "nobody is waiting any more")
         model.gate.set()
         assert blocker.result().status == 200
     assert model.calls == [1], "nothing was evaluated for those who left"

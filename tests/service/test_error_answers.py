@@ -234,7 +234,7 @@ def test_503_a_full_queue_refuses_at_once_and_says_when_to_come_back(start):
 
     with ThreadPoolExecutor(2) as callers:
         waiting = [callers.submit(evaluate, server.address, message) for _ in range(2)]
-        until(lambda: server.app.parts.queue.cost >= 2 * one, "two requests fill the queue")
+        until(lambda: server.app.parts.evaluation.queue.cost >= 2 * one, "two requests fill the queue")
         refused = evaluate(server.address, message)
         check(refused, 503, "overloaded", "full")
         assert refused.document["retryable"] is True

@@ -7,7 +7,7 @@ import pytest
 
 from bnserve_protocol import GridUnknown, InvalidFrequencies
 from bnserve_service import Settings
-from bnserve_service.uploads.stores import GridStore
+from bnserve_service.uploads.grids import GridStore
 from tests.service.asking import ask
 
 

@@ -148,8 +148,8 @@ def test_every_mode_counts_towards_the_queue_and_the_memory(start):
     message = question(grid={"f_min": 20.0, "f_max": 40.0, "delta_f": 1.0}, output="modes")
     with ThreadPoolExecutor(1) as caller:
         waiting = caller.submit(evaluate, server.address, message, model="modes")
-        until(lambda: server.app.parts.queue.cost > 0, "it is there")
-        assert server.app.parts.queue.cost == work + 10_000
+        until(lambda: server.app.parts.evaluation.queue.cost > 0, "it is there")
+        assert server.app.parts.evaluation.queue.cost == work + 10_000
         assert server.app.parts.evaluation.answer_bytes == 21 * 3 * 16
         gate.set()
         assert waiting.result().status == 200

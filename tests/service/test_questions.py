@@ -22,7 +22,7 @@ from bnserve_service.evaluation.questions import Kind, Operation, Question
 from bnserve_service.http.body import OFF_LOOP
 from bnserve_service.process.listening import address_of, listen_tcp
 from bnserve_service.server import BnserveServer
-from bnserve_service.uploads.stores import AnalysisStore
+from bnserve_service.uploads import analyses
 from tests.service.asking import GW170817, JSON, MSGPACK, as_array, ask, question, raw_connection, read_response
 from tests.service.chirp import GatedModel, MemorySource, QuickChirpModel, as_it_is, until
 from tests.service.conftest import SMALL_LIMITS
@@ -91,7 +91,7 @@ def test_what_a_full_queue_would_refuse_is_refused_before_it_is_decoded(closed, 
     model.gate.clear()
     with ThreadPoolExecutor(1) as caller:
         waiting = caller.submit(put, server, path)
-        until(lambda: server.app.parts.queue.cost > 0, "one that waits")
+        until(lambda: server.app.parts.evaluation.queue.cost > 0, "one that waits")
         refused = put(server, path, wrong)
         assert (refused.status, refused.code) == (503, "overloaded")
         assert "x-request-digest" not in refused.headers, "nor is it hashed"
@@ -107,7 +107,7 @@ def with_full_queue(model, server, path):
     model.gate.clear()
     with ThreadPoolExecutor(1) as caller:
         waiting = caller.submit(put, server, path)
-        until(lambda: server.app.parts.queue.cost > 0, "one that waits")
+        until(lambda: server.app.parts.evaluation.queue.cost > 0, "one that waits")
         yield
         model.gate.set()
         assert waiting.result().status == 200
@@ -153,7 +153,7 @@ def test_what_one_analysis_costs_says_nothing_about_another(closed):
     other = LIKELIHOODS.replace(name_of(ANALYSIS), "0" * 64)
     with ThreadPoolExecutor(1) as caller:
         waiting = caller.submit(put, server, LIKELIHOODS)
-        until(lambda: server.app.parts.queue.cost > 0, "one that waits")
+        until(lambda: server.app.parts.evaluation.queue.cost > 0, "one that waits")
         assert put(server, other, BODIES[LIKELIHOODS]).code == "analysis-unknown"
         assert put(server, LIKELIHOODS).code == "overloaded"
         model.gate.set()
@@ -187,7 +187,7 @@ def serving(app):
             running.result()
 
 
-def test_large_questions_do_not_wait_for_large_uploads():
+def test_large_questions_do_not_wait_for_large_uploads(monkeypatch):
     entered, gate = threading.Semaphore(0), threading.Event()
 
     def decode(_):
@@ -195,9 +195,8 @@ def test_large_questions_do_not_wait_for_large_uploads():
         assert gate.wait(60.0), "the test forgot to open the gate"
         raise AnalysisInvalid("It took long enough.")
 
+    monkeypatch.setattr(analyses, "decode_analysis", decode)
     app = create_app(Settings(**SMALL_LIMITS), source=MemorySource().add(QuickChirpModel()), factory=as_it_is)
-    analyses = AnalysisStore(app.parts.settings, decode)
-    app = Application(dataclasses.replace(app.parts, analyses=analyses), wait_for_models=True)
     grid = as_array(np.linspace(20.0, 40.0, SMALL_LIMITS["max_frequencies"]))
     with serving(app) as address, ThreadPoolExecutor(3) as callers:
         uploads = [

@@ -254,7 +254,7 @@ def test_more_requests_at_the_same_time_than_allowed_are_refused(start):
     model.gate.clear()
     with ThreadPoolExecutor(4) as callers:
         calls = [callers.submit(evaluate, server.address, question(), **bearer("busy")) for _ in range(2)]
-        until(lambda: server.app.parts.queue.cost > 20_000, "both are there")
+        until(lambda: server.app.parts.evaluation.queue.cost > 20_000, "both are there")
         third = evaluate(server.address, question(), **bearer("busy"))
         other = callers.submit(evaluate, server.address, question(), **bearer("other"))
         model.gate.set()
@@ -289,7 +289,7 @@ def test_asking_for_a_turn_costs_nothing_alone(start):
     ran = threading.Event()
 
     async def turn():
-        await server.app.parts.queue.turns.turn("alone")
+        await server.app.parts.evaluation.queue.turns.turn("alone")
         ran.set()
 
     asyncio.run(turn())

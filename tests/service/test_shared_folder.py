@@ -13,13 +13,14 @@ import numpy as np
 import pytest
 from prometheus_client import CollectorRegistry, Counter, Gauge
 
-from bnserve_protocol import AnalysisUnknown, GridUnknown, decode_analysis, encode_analysis
+from bnserve_protocol import AnalysisUnknown, GridUnknown, encode_analysis
 from bnserve_service import BackgroundServer, Settings, Token
 from bnserve_service.shared.folder import SharedFolder, SharedLoads
 from bnserve_service.shared.metrics import SharedMetrics
+from bnserve_service.uploads.analyses import AnalysisStore
 from bnserve_service.uploads.blobs import BlobStore
 from bnserve_service.uploads.bounds import Bounds
-from bnserve_service.uploads.stores import AnalysisStore, GridStore
+from bnserve_service.uploads.grids import GridStore
 from tests.architecture.rooms import room_environment
 from tests.service.asking import ask, evaluate, question
 from tests.service.chirp import ChirpModel, MemorySource, as_it_is
@@ -197,7 +198,7 @@ class TestUploads:
     def test_an_analysis_is_known_to_every_worker_for_its_owner_alone(self, tmp_path):
         analysis = small_analysis(seed=1)
         body, name = b"".join(encode_analysis(analysis)), name_of(analysis)
-        one, other = (AnalysisStore(Settings(), decode_analysis, tmp_path) for _ in range(2))
+        one, other = (AnalysisStore(Settings(), tmp_path) for _ in range(2))
         assert one.put(ME, name, body)[1]
         assert other.bytes_to_read(ME, name) == len(body)
         assert other.get(ME, name).analysis.digest == analysis.digest
@@ -217,7 +218,7 @@ class TestUploads:
     def test_a_damaged_analysis_is_unknown(self, tmp_path):
         analysis = small_analysis(seed=1)
         body, name = b"".join(encode_analysis(analysis)), name_of(analysis)
-        one, other = (AnalysisStore(Settings(), decode_analysis, tmp_path) for _ in range(2))
+        one, other = (AnalysisStore(Settings(), tmp_path) for _ in range(2))
         one.put("", name, body)
         damaged = bytearray(body)
         damaged[-9] ^= 1

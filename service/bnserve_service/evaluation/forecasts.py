@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from typing import Any, TypeAlias
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -16,7 +16,6 @@ from bnserve_protocol import (
     Mode,
     SignalToNoise,
     TooLarge,
-    WaveformModel,
     forecast_work,
 )
 from bnserve_protocol.wire import (
@@ -30,17 +29,12 @@ from bnserve_protocol.wire import (
     forecast_arrays,
 )
 from bnserve_service.evaluation.questions import Arrays, Buffer, Kind, Operation, Question
-from bnserve_service.http.body import OFF_LOOP
 from bnserve_service.http.requests import RequestContext
 from bnserve_service.models.registry import LoadedModel
 from bnserve_service.settings import REQUEST_COST, ROW_COST, ServiceLimits
 from bnserve_service.telemetry.metrics import Metrics
-from bnserve_service.uploads.stores import NetworkStore, StoredNetwork
+from bnserve_service.uploads.networks import NetworkStore, StoredNetwork
 
-Forecaster: TypeAlias = Callable[
-    [WaveformModel, Any, LikelihoodBatch, ForecastOptions, ForecastOutput], Forecast | SignalToNoise
-]
-"""Forecasts binaries in what the store made of a network."""
 _COORDINATES = 13
 _TRIANGLE = _COORDINATES * (_COORDINATES + 1) // 2
 _NUMBERS: dict[ForecastOutput, int] = {"snr": 0, "root": _TRIANGLE, "errors": 14, "covariance": _TRIANGLE + 14}
@@ -70,8 +64,6 @@ class Forecasts(Kind[ForecastQuestion]):
         Of one request.
     metrics
         Where to count.
-    forecast
-        Makes forecasts.
     """
 
     name = "forecasts"
@@ -91,20 +83,18 @@ class Forecasts(Kind[ForecastQuestion]):
         },
     )  # fmt: skip
 
-    def __init__(self, networks: NetworkStore, limits: ServiceLimits, metrics: Metrics, forecast: Forecaster) -> None:
+    def __init__(self, networks: NetworkStore, limits: ServiceLimits, metrics: Metrics) -> None:
         self._networks = networks
         self._limits = limits
         self._metrics = metrics
-        self._forecast = forecast
 
     def subject(self, request: RequestContext) -> str:
         """The network."""
         return request.path["sha256"].lower()
 
     def bytes_to_load(self, request: RequestContext) -> int:
-        """The network, if another worker received it: it is made anew, which takes longer than its bytes say."""
-        size = self._networks.bytes_to_read(request.owner, self.subject(request))
-        return size + OFF_LOOP if size else 0
+        """The network, if another worker received it."""
+        return self._networks.bytes_to_read(request.owner, self.subject(request))
 
     def read(self, model: LoadedModel, body: bytes, request: RequestContext) -> ForecastQuestion:
         """Decode and check a body.
@@ -155,7 +145,7 @@ class Forecasts(Kind[ForecastQuestion]):
         """The arrays of the output that all ask for, and the names of their columns."""
         first = questions[0]
         batch = LikelihoodBatch(np.concatenate([question.batch.values for question in questions]))
-        found = self._forecast(first.model.model, first.stored.network, batch, first.options, first.output)
+        found = _forecast(first.model.model, first.stored.network, batch, first.options, first.output)
         self._metrics.forecasts(first.model.identity.name, found.status)
         return forecast_arrays(found, first.output, batch["declination"])
 
@@ -188,17 +178,10 @@ def _check_sizes(rows: int, work: int, limits: ServiceLimits) -> None:
         raise TooLarge(f"A binary in this network counts as {work} samples here: send at most {most} at a time.")
 
 
-def build_network(description: DetectorNetwork) -> Any:
-    """What forecasts are made with."""
-    from bnserve_inference.fisher import Network  # here, because a server that only serves waveforms need not load it
-
-    return Network.of(description)
-
-
-def make_forecast(
+def _forecast(
     model: Any, network: Any, batch: LikelihoodBatch, options: ForecastOptions, output: ForecastOutput
 ) -> Forecast | SignalToNoise:
     """Forecasts of binaries, or their signal-to-noise ratios."""
-    from bnserve_inference.fisher import forecast, signal_to_noise  # as above
+    from bnserve_inference.fisher import forecast, signal_to_noise  # here, as an uploaded network does
 
     return (signal_to_noise if output == "snr" else forecast)(model, network, batch, options)

@@ -37,7 +37,7 @@ from bnserve_service.http.requests import RequestContext
 from bnserve_service.models.registry import LoadedModel
 from bnserve_service.settings import REQUEST_COST, ROW_COST, ServiceLimits
 from bnserve_service.telemetry.metrics import Metrics
-from bnserve_service.uploads.stores import AnalysisStore, LikelihoodFactory, StoredAnalysis
+from bnserve_service.uploads.analyses import AnalysisStore, LikelihoodFactory, StoredAnalysis
 
 _BYTES_PER_ROW = 9
 """Of an answer: a float64 and a status."""

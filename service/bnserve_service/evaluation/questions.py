@@ -1,7 +1,7 @@
 """What a question is, whatever it asks for: what it costs, how it is divided, evaluated with others, and packed.
 
 A new kind of question is a module here with a subclass of :class:`Question` and one of :class:`Kind`, and a line in
-:func:`bnserve_service.app.create_app`.
+:func:`bnserve_service.evaluation.kinds.all_kinds`.
 """
 
 from __future__ import annotations

@@ -129,6 +129,15 @@ class EvaluationService:
         """Who evaluates."""
         self._cost_estimates = CostEstimates()
         self._promised = Capacity(settings.max_answer_bytes)
+        self._capacity = settings.queue_samples
+
+    def watch(self, metrics: Metrics) -> None:
+        """Show what waits."""
+        queue, promised = self.queue, self._promised
+        metrics.watch("bnserve_queue_samples", "Work waiting or running, in samples", lambda: queue.cost)
+        metrics.watch("bnserve_queue_jobs", "Requests that no worker has taken yet", lambda: queue.workers.waiting)
+        metrics.watch("bnserve_queue_capacity_samples", "Work that may wait or run", lambda: self._capacity)
+        metrics.watch("bnserve_answers_bytes", "Memory of answers under way", lambda: promised.total)
 
     @property
     def answer_bytes(self) -> int:

@@ -39,7 +39,7 @@ from bnserve_service.evaluation.umbridge_bodies import (
 )
 from bnserve_service.http.requests import RequestContext, answer_digest, require_media_type
 from bnserve_service.models.registry import DEFAULT_LABEL, Catalogue, LoadedModel
-from bnserve_service.uploads.stores import AnalysisStore, StoredAnalysis
+from bnserve_service.uploads.analyses import AnalysisStore, StoredAnalysis
 
 _NAME = re.compile(r"([^/]{1,200})(?:/([^/]{1,200}))?/([0-9a-f]{64})")
 ADVICE = f"UM-Bridge bodies are {JSON}: say so in Content-Type, or leave it out."

@@ -42,7 +42,7 @@ from bnserve_service.http.requests import RequestContext
 from bnserve_service.models.registry import LoadedModel, ServedModel, quick_work
 from bnserve_service.settings import FURTHER_MODE, REQUEST_COST, ROW_COST, ServiceLimits
 from bnserve_service.telemetry.metrics import Metrics
-from bnserve_service.uploads.stores import GridStore
+from bnserve_service.uploads.grids import GridStore
 
 _BY_MODES = ("modes", "derivatives")
 _DERIVATIVES = 7

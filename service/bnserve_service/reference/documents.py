@@ -8,7 +8,8 @@ from bnserve_protocol import ModelDescription, ModelIdentity, likelihood_nodes, 
 from bnserve_service.models.loading import RefreshReport
 from bnserve_service.models.registry import Catalogue, LoadedModel
 from bnserve_service.settings import ServiceLimits
-from bnserve_service.uploads.stores import StoredAnalysis, StoredNetwork
+from bnserve_service.uploads.analyses import StoredAnalysis
+from bnserve_service.uploads.networks import StoredNetwork
 
 
 class ModelDocument(ModelDescription, frozen=True, kw_only=True):

@@ -29,7 +29,7 @@ from bnserve_service.http.requests import context_of, require_media_type
 from bnserve_service.models.registry import LoadedModel, Registry
 from bnserve_service.reference.openapi import json_answer, json_body
 from bnserve_service.settings import Settings
-from bnserve_service.uploads.stores import AnalysisStore, StoredAnalysis
+from bnserve_service.uploads.analyses import AnalysisStore, StoredAnalysis
 
 B = TypeVar("B", bound=msgspec.Struct)
 

@@ -17,13 +17,12 @@ from collections.abc import Callable, Generator, Iterable, Mapping
 from contextlib import AbstractContextManager, contextmanager, suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Any, Literal, TypeAlias, get_args
+from typing import Any, get_args
 
 from bnserve_protocol import QuotaExceeded, TooLarge
 from bnserve_service.uploads.blobs import DIGEST, gone, locked
-from bnserve_service.uploads.stores import UploadStore
+from bnserve_service.uploads.stores import Kind, UploadStore
 
-Kind: TypeAlias = Literal["grid", "analysis", "network"]
 _KINDS: dict[str, Kind] = {kind: kind for kind in get_args(Kind)}
 KEPT_SECONDS = 60.0
 """So long an upload stays in any case."""

@@ -1,52 +1,19 @@
-"""Uploaded grids, analyses and networks, by owner and digest; one process's, or known to all workers."""
+"""What callers have uploaded, by owner and digest; one process's, or known to all workers."""
 
 from __future__ import annotations
 
-import hashlib
 import threading
 from abc import ABC, abstractmethod
 from collections import OrderedDict
-from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
-from typing import Any, ClassVar, Generic, NamedTuple, TypeAlias, TypeVar
+from typing import ClassVar, Generic, Literal, NamedTuple, TypeAlias, TypeVar
 
-import numpy as np
-from numpy.typing import NDArray
-
-from bnserve_protocol import (
-    LIKELIHOOD_NAMES,
-    Analysis,
-    AnalysisInvalid,
-    AnalysisUnknown,
-    BnserveError,
-    DetectorNetwork,
-    GridUnknown,
-    InvalidFrequencies,
-    Likelihood,
-    NetworkUnknown,
-    NotFound,
-    TooLarge,
-    UndecodableBody,
-    WaveformModel,
-    as_frequencies,
-    decode_network,
-    grid_digest,
-    integrated_names,
-)
-from bnserve_service.models.registry import LoadedModel
-from bnserve_service.settings import Settings
+from bnserve_protocol import BnserveError, NotFound
 from bnserve_service.uploads.blobs import BlobStore, no_room
 from bnserve_service.uploads.bounds import Blob, Bounds, size_of
 
-LikelihoodFactory: TypeAlias = Callable[[WaveformModel, Analysis], Likelihood]
-"""Makes the likelihood of an analysis with a model; ``bnserve_inference.likelihood`` is one."""
-
-NetworkFactory: TypeAlias = Callable[[DetectorNetwork], Any]
-"""Makes of a description what forecasts are made with; ``bnserve_inference.fisher.Network.of`` is one."""
-
-_MODELS_OF_ONE = 4
-"""So many models keep what they prepared for one analysis; nearly all analyses meet one."""
+Kind: TypeAlias = Literal["grid", "analysis", "network"]
 
 T = TypeVar("T")
 
@@ -70,6 +37,10 @@ class UploadStore(ABC, Generic[T]):
         Where all workers of one server keep it; None for a server of one process.
     """
 
+    kind: ClassVar[Kind]
+    """What is kept."""
+    further_work: ClassVar[int] = 0
+    """To make of a body what is kept takes as long as to read so many bytes more."""
     is_common: ClassVar[bool] = False
     """Whether what one owner uploads belongs to everybody: whoever knows the digest knows the content."""
 
@@ -195,7 +166,8 @@ class UploadStore(ABC, Generic[T]):
     def bytes_to_read(self, owner: str, sha256: str) -> int:
         """How much :meth:`get` has to read and check: what another worker received, when it is first used here."""
         key = self._key(owner, sha256)
-        return 0 if self._blobs is None or key in self._held else self._blobs.size(*key) or 0
+        size = None if self._blobs is None or key in self._held else self._blobs.size(*key)
+        return size + self.further_work if size else 0
 
     def all_bytes_to_read(self, owner: str) -> int:
         """How much :meth:`all_of` has to read and check."""
@@ -229,163 +201,3 @@ class UploadStore(ABC, Generic[T]):
     def _forget(self, key: tuple[str, str]) -> bool:
         with self._lock:
             return self._held.pop(key, None) is not None
-
-
-class GridStore(UploadStore[NDArray[np.float64]]):
-    """Frequencies in Hz, read-only ``(M,)``, by :func:`bnserve_protocol.grid_digest`.
-
-    Parameters
-    ----------
-    settings
-        The limits.
-    shared
-        The folder that the workers of one server share; None for a server of one process.
-    """
-
-    is_common = True
-
-    def __init__(self, settings: Settings, shared: Path | None = None) -> None:
-        bounds = Bounds(settings.max_grids, settings.max_grid_bytes, settings.max_grid_bytes)
-        super().__init__(bounds, None if shared is None else shared / "grids")
-        self._max_frequencies = settings.max_frequencies
-
-    def _decode(self, body: bytes | memoryview, sha256: str) -> NDArray[np.float64]:
-        if len(body) % 8:
-            raise UndecodableBody(
-                f"A grid travels as raw little-endian float64, 8 bytes each; {len(body)} bytes do not divide by 8."
-            )
-        if len(body) // 8 > self._max_frequencies:
-            raise TooLarge(f"A grid has at most {self._max_frequencies} frequencies; this one has {len(body) // 8}.")
-        frequencies = np.frombuffer(body, dtype="<f8").astype(np.float64, copy=False)
-        frequencies.flags.writeable = False
-        actual = grid_digest(frequencies)
-        if actual != sha256:
-            raise InvalidFrequencies(f"The SHA-256 of the body is {actual}, not the digest in the path; send it again.")
-        as_frequencies(frequencies)
-        return frequencies
-
-    def _unknown(self) -> NotFound:
-        return GridUnknown(
-            "No uploaded grid has that digest; upload it with PUT /v1/grids/{sha256} and repeat the request."
-        )
-
-
-class StoredAnalysis:
-    """One analysis, checked, with the memory it takes and the likelihoods it has become.
-
-    Parameters
-    ----------
-    analysis
-        The analysis.
-    nbytes
-        Its size as uploaded; its arrays are views of those bytes.
-    """
-
-    def __init__(self, analysis: Analysis, nbytes: int) -> None:
-        self.analysis = analysis
-        self.nbytes = nbytes
-        self._likelihoods: dict[LoadedModel, Likelihood] = {}
-
-    @property
-    def parameters(self) -> list[str]:
-        """What a sample says, in the order of ``LIKELIHOOD_NAMES``: all but what is integrated over."""
-        integrated = integrated_names(self.analysis.settings)
-        return [name for name in LIKELIHOOD_NAMES if name not in integrated]
-
-    @property
-    def sha256(self) -> str:
-        """Its name: the digest of its canonical form, in hexadecimal."""
-        return self.analysis.digest.removeprefix("sha256:")
-
-    def likelihood(self, model: LoadedModel, bind: LikelihoodFactory) -> Likelihood:
-        """The likelihood of this analysis with a model; made when it is first asked for, in a worker thread."""
-        found = self._likelihoods.get(model)
-        if found is None:
-            while len(self._likelihoods) >= _MODELS_OF_ONE:
-                self._likelihoods.pop(next(iter(self._likelihoods)), None)
-            found = self._likelihoods[model] = bind(model.model, self.analysis)
-        return found
-
-
-class AnalysisStore(UploadStore[StoredAnalysis]):
-    """Analyses; each belongs to those who uploaded it, and is unknown to everybody else.
-
-    Parameters
-    ----------
-    settings
-        The limits.
-    decode
-        Turns a body into an analysis, or refuses it.
-    shared
-        The folder that the workers of one server share; None for a server of one process.
-    """
-
-    def __init__(
-        self, settings: Settings, decode: Callable[[bytes | memoryview], Analysis], shared: Path | None = None
-    ) -> None:
-        bounds = Bounds(settings.max_analyses, settings.max_owner_analyses_bytes, settings.max_analyses_bytes)
-        super().__init__(bounds, None if shared is None else shared / "analyses")
-        self._max_bytes = settings.max_analysis_bytes
-        self._decode_analysis = decode
-
-    def _decode(self, body: bytes | memoryview, sha256: str) -> StoredAnalysis:
-        if len(body) > self._max_bytes:
-            raise TooLarge(f"An analysis has at most {self._max_bytes} bytes here; this is larger.")
-        analysis = self._decode_analysis(body)
-        if analysis.digest != f"sha256:{sha256}":
-            raise AnalysisInvalid(
-                f"The analysis in the body has the digest {analysis.digest}, not the one in the path; if it arrived as "
-                "you meant it, PUT it under that one."
-            )
-        return StoredAnalysis(analysis, len(body))
-
-    def _unknown(self) -> NotFound:
-        return AnalysisUnknown(
-            "No analysis that you uploaded has that digest here (they are dropped when the server restarts or needs "
-            "the memory); upload it with PUT /v1/analyses/{sha256} and repeat the request."
-        )
-
-
-class StoredNetwork(NamedTuple):
-    """One network, checked: its name, which is the digest of its bytes, what travels, and what evaluates it."""
-
-    sha256: str
-    description: DetectorNetwork
-    network: Any
-    nbytes: int
-
-
-class NetworkStore(UploadStore[StoredNetwork]):
-    """Networks of detectors; each belongs to those who uploaded it, and is unknown to everybody else.
-
-    Parameters
-    ----------
-    settings
-        The limits.
-    build
-        Makes what forecasts are made with, or refuses it.
-    shared
-        The folder that the workers of one server share; None for a server of one process.
-    """
-
-    def __init__(self, settings: Settings, build: NetworkFactory, shared: Path | None = None) -> None:
-        most = settings.max_networks_bytes
-        bounds = Bounds(settings.max_networks, most // 2, most)
-        super().__init__(bounds, None if shared is None else shared / "networks")
-        self._max_bytes = settings.max_network_bytes
-        self._build = build
-
-    def _decode(self, body: bytes | memoryview, sha256: str) -> StoredNetwork:
-        if len(body) > self._max_bytes:
-            raise TooLarge(f"A network has at most {self._max_bytes} bytes here; this is larger.")
-        actual = hashlib.sha256(body).hexdigest()
-        if actual != sha256:
-            raise AnalysisInvalid(f"The SHA-256 of the body is {actual}, not the digest in the path; send it again.")
-        description = decode_network(body)
-        return StoredNetwork(sha256, description, self._build(description), len(body))
-
-    def _unknown(self) -> NotFound:
-        return NetworkUnknown(
-            "No network that you uploaded has that digest here (they are dropped when the server restarts or needs the "
-            "memory); upload it with PUT /v1/networks/{sha256} and repeat the request."
-        )

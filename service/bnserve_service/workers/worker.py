@@ -153,9 +153,7 @@ class _Agent:
             if beats % _BEATS_PER_PUBLICATION == 0:
                 self._parts.metrics.publish()
             if beats % _BEATS_PER_TIDYING == 0:
-                self._parts.grids.tidy()
-                self._parts.analyses.tidy()
-                self._parts.networks.tidy()
+                self._parts.uploads.tidy()
             beats += 1
             await asyncio.sleep(BEAT_SECONDS)
 
@@ -164,7 +162,7 @@ class _Agent:
         return {
             "ready": self.server.accepts and parts.health.reason_unready() is None,
             "draining": parts.lifecycle.draining,
-            "longest_evaluation": parts.queue.workers.longest_evaluation(),
+            "longest_evaluation": parts.evaluation.queue.workers.longest_evaluation(),
             "models": ", ".join(f"{name} {version}" for name, version in parts.registry.catalogue.models),
         }
 
