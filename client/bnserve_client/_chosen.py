@@ -7,7 +7,6 @@ the package that builds analyses.
 
 from __future__ import annotations
 
-import difflib
 import functools
 import os
 from collections.abc import Iterable, Mapping
@@ -15,7 +14,7 @@ from importlib.metadata import entry_points
 from typing import Any, Literal
 
 from bnserve_client._model import Model
-from bnserve_protocol import InvalidRequest, PackageMissing, WaveformModel
+from bnserve_protocol import InvalidRequest, PackageMissing, WaveformModel, nearest_name
 
 GROUP = "bnserve.local"
 URL_VARIABLE, MODEL_VARIABLE = "BNSERVE_URL", "BNSERVE_MODEL"
@@ -99,8 +98,8 @@ def number(name: str, value: Any, of: str = "such as 50") -> float:
 
 def unknown_argument(name: str, known: Iterable[str]) -> InvalidRequest:
     """The error of a waveform argument that is none."""
-    near = difflib.get_close_matches(name[:80], known, n=1)
-    hint = f"did you mean '{near[0]}'?" if near else f"known are {', '.join(sorted(known))}."
+    near = nearest_name(name, sorted(known))
+    hint = f"known are {', '.join(sorted(known))}." if near is None else f"did you mean '{near}'?"
     return InvalidRequest(f"Unknown waveform argument '{name[:80]}': {hint}")
 
 

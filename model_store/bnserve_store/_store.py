@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import os
 from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
@@ -11,7 +10,7 @@ from typing import Any, TypeAlias
 
 from numpy.typing import ArrayLike
 
-from bnserve_protocol import ArtifactError, InvalidRequest, ModelUnknown
+from bnserve_protocol import ArtifactError, InvalidRequest, ModelUnknown, nearest_name
 from bnserve_store._buckets import BucketRoot
 from bnserve_store._files import (
     Manifest,
@@ -273,8 +272,8 @@ class ModelStore:
     def _unknown(self, name: str) -> ModelUnknown:
         names = self.names()
         shown = str(name)[:80]
-        near = difflib.get_close_matches(shown, names, n=1, cutoff=0.5)
-        hint = f"Did you mean '{near[0]}'?" if near else f"Known models: {', '.join(names) or 'none'}."
+        near = nearest_name(shown, names)
+        hint = f"Known models: {', '.join(names) or 'none'}." if near is None else f"Did you mean '{near}'?"
         return ModelUnknown(f"There is no model '{shown}' in this store. {hint}")
 
     def _writable(self, root: str | os.PathLike[str] | None) -> LocalRoot:

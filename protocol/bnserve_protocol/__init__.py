@@ -121,6 +121,7 @@ from bnserve_protocol._model import (
     check_model_digest,
 )
 from bnserve_protocol._modes import PHASE_AT_REFERENCE, Mode, turn_to_reference
+from bnserve_protocol._nearest import nearest_name
 from bnserve_protocol._networks import (
     MOST_DETECTORS,
     DescribesNetwork,
@@ -189,9 +190,10 @@ __all__ = [
     "check_dtype", "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options",
     "check_prior", "check_settings", "check_table", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis",
     "decode_network", "encode_analysis", "forecast_batch", "forecast_work", "from_triangle", "gradient_names",
-    "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples", "nothing_integrated", "plain_grid",
-    "plain_options", "predict_time_domain", "printable", "random_numbers", "read_table", "refuse_rows", "require",
-    "samples_of", "the_mode", "time_domain_steps", "time_steps", "time_until_merger", "triangle", "turn_to_reference",
+    "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples", "nearest_name", "nothing_integrated",
+    "plain_grid", "plain_options", "predict_time_domain", "printable", "random_numbers", "read_table", "refuse_rows",
+    "require", "samples_of", "the_mode", "time_domain_steps", "time_steps", "time_until_merger", "triangle",
+    "turn_to_reference",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

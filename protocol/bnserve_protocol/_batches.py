@@ -231,6 +231,10 @@ def table_of_columns(
     return values
 
 
+_MOST_EXPLAINED = 8
+"""Names in one error: what is near each takes a moment to find, and a small body has room for a hundred thousand."""
+
+
 def check_names(
     given: Iterable[str], known: Sequence[str] = ALL_PARAMETER_NAMES, optional: Collection[str] = PARAMETER_DEFAULTS
 ) -> None:
@@ -244,15 +248,18 @@ def check_names(
     counts = Counter(iter(given))
     problems: list[FieldError] = []
     sentences: list[str] = []
-    for name, count in counts.items():
+    wrong = [name for name, count in counts.items() if count > 1 or name not in known]
+    for name in wrong[:_MOST_EXPLAINED]:
         shown = str(name)[:80]
         if name not in known:
             hint = nearest(name, known)
             sentences.append(f"Unknown parameter '{shown}'. {hint}")
             problems.append(FieldError(reason=f"unknown. {hint}", parameter=shown))
-        elif count > 1:
+        else:
             sentences.append(f"Parameter '{shown}' is given more than once.")
             problems.append(FieldError(reason="given more than once", parameter=shown))
+    if len(wrong) > _MOST_EXPLAINED:
+        sentences.append(f"And {len(wrong) - _MOST_EXPLAINED} more such names.")
     missing = [name for name in known if name not in counts and name not in optional]
     if missing:
         sentences.append(f"Missing parameter{'s' if len(missing) > 1 else ''}: {', '.join(missing)}.")

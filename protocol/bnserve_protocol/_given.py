@@ -8,7 +8,6 @@ that are numbers, and whatever else numpy makes numbers of, are taken; the rest 
 
 from __future__ import annotations
 
-import difflib
 import functools
 import inspect
 from collections.abc import Collection, Mapping
@@ -18,7 +17,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidParameters
-from bnserve_protocol._foreign import hint_for
+from bnserve_protocol._foreign import FORMULAS, SAME, hint_for
+from bnserve_protocol._nearest import nearest_name
 
 _REAL = frozenset("iuf")
 _PLAIN = frozenset({float, int, np.float64, np.float32, np.int64, np.int32})
@@ -183,20 +183,24 @@ class UnknownKeyword(InvalidParameters, TypeError):
 def nearest(name: object, known: Collection[str]) -> str:
     """What an unknown name may have meant: ``Did you mean 'mass_ratio'?``, or all names that are known.
 
-    For a name that other programs have, what to give in its place.
+    For a name that other programs have, or one that is misspelt, what to give in its place.
 
     Parameters
     ----------
     name
-        Of anybody; no more than its beginning is compared, which takes seconds and gigabytes for megabytes.
+        Of anybody.
     known
         The names there are.
     """
     hint = hint_for(str(name), known)
     if hint is not None:
         return hint
-    near = difflib.get_close_matches(str(name)[:80], known, n=1, cutoff=0.5)
-    return f"Did you mean '{near[0]}'?" if near else f"Known names: {', '.join(known)}."
+    others = (*FORMULAS, *(foreign for foreign, own in SAME.items() if own in known)) if "mass_ratio" in known else ()
+    near = nearest_name(name, (*known, *others))
+    if near is None:
+        return f"Known names: {', '.join(known)}."
+    hint = hint_for(near, known) if near not in known else None
+    return f"Did you mean '{near}'?" if hint is None else f"Did you mean '{near}'? {hint}"
 
 
 def suggesting(cls: _C) -> _C:

@@ -198,7 +198,7 @@ def decode_network(body: bytes | memoryview) -> DetectorNetwork:
         else:
             _refuse_twice(body)
     except UNREADABLE as error:
-        raise undecodable(error, media_type, "network") from error
+        raise undecodable(error, media_type, "network", body) from error
     return DetectorNetwork(detectors, wire.f_min, wire.f_max, wire.trigger_time, wire.moving)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 import tomllib
 import typing
@@ -12,6 +11,7 @@ from typing import Any, TypeVar
 import msgspec
 
 from bnserve_protocol._errors import BnserveError
+from bnserve_protocol._nearest import nearest_name
 
 Schema = TypeVar("Schema", bound=msgspec.Struct)
 
@@ -47,8 +47,8 @@ def _explained(message: str, schema: type[msgspec.Struct]) -> str:
         fields = {field.encode_name: field.type for field in msgspec.structs.fields(section)} if section else {}
         section = _section_in(fields.get(part))
     known = [field.encode_name for field in msgspec.structs.fields(section)] if section else []
-    near = difflib.get_close_matches(unknown[1], known, n=1)
-    hint = f"did you mean '{near[0]}'?" if near else f"known keys: {', '.join(known)}"
+    near = nearest_name(unknown[1], known)
+    hint = f"known keys: {', '.join(known)}" if near is None else f"did you mean '{near}'?"
     return f"unknown key '{unknown[1]}'{f' in [{where}]' if where else ''}; {hint}"
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import re
 from collections.abc import Mapping
 from pathlib import Path
@@ -10,7 +9,7 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError, field_validator, model_validator
 
-from bnserve_protocol import Limits
+from bnserve_protocol import Limits, nearest_name
 from bnserve_protocol.wire import JSON
 from bnserve_service.admission.issuers import Issuer
 from bnserve_service.admission.token_files import TokenFiles, parse_toml, refuse_the_same_twice
@@ -311,8 +310,8 @@ def load_settings(path: Path | None = None, overrides: Mapping[str, Any] | None 
 
 
 def _unknown_key(key: str) -> str:
-    near = difflib.get_close_matches(key, Settings.model_fields, n=1, cutoff=0.5)
-    hint = f"Did you mean '{near[0]}'?" if near else f"Known settings: {', '.join(Settings.model_fields)}."
+    near = nearest_name(key, Settings.model_fields)
+    hint = f"Known settings: {', '.join(Settings.model_fields)}." if near is None else f"Did you mean '{near}'?"
     return f"Unknown setting '{key}'. {hint}"
 
 

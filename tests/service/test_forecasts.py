@@ -229,6 +229,18 @@ BAD_QUESTIONS = {
 }
 
 
+NO_JSON = "JSON has no NaN and no Infinity"
+
+
+def test_numbers_that_json_does_not_have_are_named(address, sha256):
+    nan = ONE | {"parameters": BINARY | {"distance_mpc": float("nan")}}
+    refusal(evaluate(address, sha256, nan), 400, "body-undecodable", NO_JSON)
+    refusal(put(address, network(f_min=float("inf")))[0], 400, "body-undecodable", NO_JSON)
+    waveform = {"parameters": {"mass_ratio": float("nan")}, "grid": {"frequencies": [20.0]}}
+    answer = ask(address, "POST", "/v1/models/default/waveforms", json.dumps(waveform), content_type=JSON)
+    refusal(answer, 400, "body-undecodable", NO_JSON)
+
+
 @pytest.mark.parametrize("case", BAD_QUESTIONS.values(), ids=BAD_QUESTIONS)
 def test_questions_that_are_none_are_refused(address, sha256, case):
     change, status, code, words = case

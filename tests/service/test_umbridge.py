@@ -256,6 +256,16 @@ def test_what_is_no_evaluation_is_invalid_input(server, message):
     assert post(server.address, "Evaluate", GOOD).status == 200
 
 
+@pytest.mark.parametrize("number", ["NaN", "Infinity", "-Infinity"])
+@pytest.mark.parametrize("operation", ["Evaluate", "ModelInfo"])
+def test_numbers_that_json_does_not_have_are_named(server, operation, number):
+    body = json.dumps(GOOD | {"config": {"fixed": {"mass_ratio": 1.2}}}).replace("1.2}}", number + "}}")
+    told = json.loads(post(server.address, operation, body).body)["error"]
+    place = body.index(number) + number.startswith("-")
+    assert told["type"] == "InvalidInput"
+    assert told["message"].startswith(f"JSON has no NaN and no Infinity, and this request has one at byte {place}: ")
+
+
 @pytest.mark.parametrize("operation", ["ModelInfo", "InputSizes", "OutputSizes"])
 @pytest.mark.parametrize("message", [b"", b"[]", b'{"name": 1}', {"name": NAME, "config": 1}, b"[" * 20_000])
 def test_what_is_no_question_about_a_model_is_invalid_input(server, operation, message):

@@ -7,13 +7,13 @@ and other priors, and nothing else.
 from __future__ import annotations
 
 import ast
-import difflib
 import math
 import operator
 import warnings
 from typing import Any
 
 from bnserve_posterior.events import EventInvalid
+from bnserve_protocol import nearest_name
 
 _MODULES = ("bilby.core.prior", "bilby.gw.prior")
 _NAMES = {
@@ -131,8 +131,8 @@ def _class(dotted: str) -> Any:
         known.update({key: value for key, value in vars(place).items() if _is_prior_class(value)})
     if name in known and (not module or module.startswith(_MODULES)):
         return known[name]
-    near = difflib.get_close_matches(name, known, n=1)
-    raise ValueError(f"bilby has no prior {dotted}" + (f"; did you mean {near[0]}?" if near else ""))
+    near = nearest_name(name, known)
+    raise ValueError(f"bilby has no prior {dotted}" + ("" if near is None else f"; did you mean {near}?"))
 
 
 def _is_prior_class(value: Any) -> bool:

@@ -29,6 +29,7 @@ from bnserve_protocol.wire._envelope import (
     content_digest,
     refuse_repeated_keys,
     request_digest,
+    undecodable,
     unique_keys,
 )
 from bnserve_protocol.wire._forecasts import (
@@ -71,5 +72,5 @@ __all__ = [
     "encode_array", "encode_forecast_answer", "encode_forecast_answer_json", "encode_forecast_request",
     "encode_likelihood_answer", "encode_likelihood_answer_json", "encode_likelihood_request", "encode_request",
     "forecast_arrays", "forecast_of", "mode_names", "refuse_repeated_keys", "request_digest", "result_memory",
-    "unique_keys",
+    "undecodable", "unique_keys",
 ]  # fmt: skip  # each has a line of its own above

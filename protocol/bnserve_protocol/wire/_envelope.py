@@ -13,6 +13,7 @@ from __future__ import annotations
 import base64
 import hashlib
 import json
+import re
 from collections import Counter
 from collections.abc import Callable, Iterable
 from typing import Any, Literal, TypeAlias
@@ -95,11 +96,27 @@ UNREADABLE = (msgspec.MsgspecError, RecursionError, UnicodeDecodeError)
 """What decoders raise for bytes that are not the message they should be."""
 
 
-def undecodable(error: Exception, media_type: str, message: str = "request") -> UndecodableBody:
+def undecodable(
+    error: Exception, media_type: str, message: str = "request", body: bytes | memoryview = b""
+) -> UndecodableBody:
     """The error in place of one of :data:`UNREADABLE` about a body of that media type."""
     if isinstance(error, msgspec.ValidationError):
         return UndecodableBody(f"The {message} does not fit its schema: {error}.")
+    if media_type == JSON and (place := _no_number_of_json(error, body)) is not None:
+        return UndecodableBody(
+            f"JSON has no NaN and no Infinity, and this {message} has one at byte {place}: leave such numbers out."
+        )
     return UndecodableBody(f"The body is not a valid {media_type} {message}; check that it is complete.")
+
+
+_MALFORMED_AT = re.compile(r"\(byte (\d+)\)")
+
+
+def _no_number_of_json(error: Exception, body: bytes | memoryview) -> int | None:
+    """Where a body has what Python's ``json`` writes for a number that JSON does not have, if reading stopped there."""
+    found = _MALFORMED_AT.search(str(error))
+    place = int(found[1]) if found else len(body)
+    return place if bytes(body[place : place + 8]).startswith((b"NaN", b"Infinity")) else None
 
 
 _FIXMAP, _FIXMAP_END, _MAP_16 = 0x80, 0x90, 0xDE

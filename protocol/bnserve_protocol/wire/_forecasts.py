@@ -98,7 +98,7 @@ def decode_forecast_request(
         batch = read_samples(READERS[media_type], wire.parameters, wire.names, max_rows, {}, {})
         check_keys(body, media_type, ("priors", "parameters") if wire.names is None else ("priors",))
     except UNREADABLE as error:
-        raise undecodable(error, media_type) from error
+        raise undecodable(error, media_type, body=body) from error
     given = {} if wire.coordinates is None else {"coordinates": tuple(wire.coordinates)}
     options = ForecastOptions(
         **given, priors=wire.priors, modes=None if wire.modes is None else tuple(wire.modes), alignment=wire.alignment,

@@ -154,7 +154,7 @@ def decode_likelihood_request(
         uniforms = _uniforms(reader, wire, len(batch))
         check_keys(body, media_type, _MAPS if wire.names is None else CALIBRATION_NAMES)
     except UNREADABLE as error:
-        raise undecodable(error, media_type) from error
+        raise undecodable(error, media_type, body=body) from error
     return LikelihoodRequest(analysis=wire.analysis, batch=batch, output=wire.output, uniforms=uniforms)
 
 

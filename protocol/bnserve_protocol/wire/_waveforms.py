@@ -125,7 +125,7 @@ def _decode_request(body: bytes | memoryview, media_type: str, max_rows: int) ->
         grid = _grid(reader, wire.grid)
         check_keys(body, media_type, ("grid",) if wire.names is not None else ("grid", "parameters"))
     except UNREADABLE as error:
-        raise undecodable(error, media_type) from error
+        raise undecodable(error, media_type, body=body) from error
     options = EvaluationOptions(**{name: getattr(wire, name) for name in EvaluationOptions.__struct_fields__})
     return WaveformRequest(batch=batch, grid=grid, output=wire.output, dtype=wire.dtype, options=options)
 

@@ -7,7 +7,6 @@ it are imported when the subcommand runs. To add one, write the module and name 
 from __future__ import annotations
 
 import argparse
-import difflib
 import errno
 import importlib
 import importlib.util
@@ -57,8 +56,10 @@ def _kind(action: argparse.Action) -> str:
 
 
 def _nearest(word: str, known: Iterable[str]) -> str:
-    near = difflib.get_close_matches(word, [*known], n=1, cutoff=0.5)
-    return f". Did you mean '{near[0]}'?" if near else ""
+    from bnserve_protocol import nearest_name  # here: it takes numpy along
+
+    near = nearest_name(word, known)
+    return "" if near is None else f". Did you mean '{near}'?"
 
 
 def build_parser() -> argparse.ArgumentParser:

@@ -7,8 +7,7 @@ from typing import Annotated, Any, TypeVar
 
 import msgspec
 
-from bnserve_protocol import UndecodableBody
-from bnserve_protocol.wire import refuse_repeated_keys
+from bnserve_protocol.wire import JSON, refuse_repeated_keys, undecodable
 from bnserve_service.errors import UMBRIDGE
 
 PREFIX = UMBRIDGE
@@ -180,10 +179,8 @@ def decode(body: bytes, form: type[B]) -> B:
     """
     try:
         found = msgspec.json.decode(body, type=form)
-    except msgspec.ValidationError as error:
-        raise UndecodableBody(f"The request does not fit its schema: {error}.") from error
-    except (msgspec.DecodeError, RecursionError, UnicodeDecodeError) as error:
-        raise UndecodableBody("The body is not JSON that can be read; check that it is complete.") from error
+    except (msgspec.MsgspecError, RecursionError, UnicodeDecodeError) as error:
+        raise undecodable(error, JSON, body=body) from error
     refuse_repeated_keys(body)
     return found
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -12,7 +11,7 @@ from typing import Any, Protocol
 
 import msgspec
 
-from bnserve_protocol import DigestUnknown, ModelIdentity, ModelLoading, ModelUnknown, WaveformModel
+from bnserve_protocol import DigestUnknown, ModelIdentity, ModelLoading, ModelUnknown, WaveformModel, nearest_name
 from bnserve_service.shared.folder import models_file
 
 DEFAULT_LABEL = "stable"
@@ -204,8 +203,8 @@ class Registry:
 def _unknown(catalogue: Catalogue, name: str, wanted: str) -> ModelUnknown:
     names = catalogue.names()
     if name not in names:
-        near = difflib.get_close_matches(name[:80], names, n=1, cutoff=0.5)
-        hint = f"Did you mean '{near[0]}'?" if near else f"Known models: {', '.join(names) or 'none'}."
+        near = nearest_name(name, names)
+        hint = f"Known models: {', '.join(names) or 'none'}." if near is None else f"Did you mean '{near}'?"
         return ModelUnknown(f"This service has no model '{name[:80]}'. {hint}")
     if wanted.startswith(DIGEST_PREFIX):
         there = ", ".join(

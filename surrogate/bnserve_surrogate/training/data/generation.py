@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import difflib
 import inspect
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -13,7 +12,7 @@ from typing import Any
 import msgspec
 import numpy as np
 
-from bnserve_protocol import BnserveError
+from bnserve_protocol import BnserveError, nearest_name
 from bnserve_store import check_writable
 from bnserve_surrogate.training.data.chunks import unwritable_named
 from bnserve_surrogate.training.data.dataset import DatasetSpecification, ResidualDataset, build_dataset, joined
@@ -62,8 +61,8 @@ def make_generator(name: str, **options: Any) -> WaveformGenerator:
         No such generator (the nearest name is suggested), an option that it does not take, or a value that does not go.
     """
     if name not in GENERATORS:
-        near = difflib.get_close_matches(name, GENERATORS, n=1)
-        hint = f"Did you mean '{near[0]}'?" if near else f"Known: {', '.join(GENERATORS)}."
+        near = nearest_name(name, GENERATORS)
+        hint = f"Known: {', '.join(GENERATORS)}." if near is None else f"Did you mean '{near}'?"
         raise GeneratorUnknown(f"Unknown waveform generator '{name}'. {hint}")
     constructor = GENERATORS[name]
     signature = inspect.signature(constructor)
