@@ -35,8 +35,9 @@ def convert(given: Mapping[str, Any]) -> dict[str, Any]:
     ``chirp_mass`` and ``total_mass`` with one of ``mass_ratio`` (also bilby's, which is at most 1) and
     ``symmetric_mass_ratio``; all are those of the detector's frame. Spins may be ``a_1`` with ``tilt_1`` or
     ``cos_tilt_1``, where they are aligned, or ``spin1x``, ``spin1y`` and ``spin1z``. Tides may be ``lambda_tilde`` with
-    ``delta_lambda_tilde``. Names of the same quantity are replaced (``luminosity_distance``, ``theta_jn``, ``ra``);
-    ours stay as they are.
+    ``delta_lambda_tilde``, which are those of Wade et al. where ``mass_1`` is the heavier star; where it is the lighter
+    one lambda_1 of the formulas is still that of star 1, as bilby has it, and the pair is not that of the binary. Names
+    of the same quantity are replaced (``luminosity_distance``, ``theta_jn``, ``ra``); ours stay as they are.
 
     Parameters
     ----------

@@ -53,6 +53,15 @@ def test_tides_are_bilbys():
     np.testing.assert_allclose([ours["lambda_1"], ours["lambda_2"]], expected, rtol=1e-10)
 
 
+def test_tides_of_a_lighter_first_star_are_bilbys_too():
+    """Who takes the formulas as they stand: star 1 keeps the formulas' lambda_1 and becomes our star 2."""
+    expected = conversion.lambda_tilde_delta_lambda_tilde_to_lambda_1_lambda_2(500.0, 30.0, 1.2, 1.6)
+    ours = convert({"mass_1": 1.2, "mass_2": 1.6, "lambda_tilde": 500.0, "delta_lambda_tilde": 30.0} | REST)
+    np.testing.assert_allclose([ours["lambda_2"], ours["lambda_1"]], expected, rtol=1e-10)
+    back = conversion.lambda_1_lambda_2_to_lambda_tilde(ours["lambda_1"], ours["lambda_2"], 1.6, 1.2)
+    assert back != pytest.approx(500.0, rel=0.05), "so the pair is not that of the binary"
+
+
 def test_names_of_the_same_quantity_and_aligned_spins():
     ours = convert({"luminosity_distance": 40.0, "theta_jn": 2.5, "ra": 1.0, "a_1": 0.1, "tilt_1": np.pi})
     assert ours == {
