@@ -72,7 +72,7 @@ class EvaluationEndpoint:
             question = await self._service.ask(self._kind, body, request)
             del body
         request.model = question.model.identity
-        with request.paying(len(question.batch)), self._service.reserve(question, request.owner) as give_back:
+        with request.paying(question.quota_rows), self._service.reserve(question, request.owner) as give_back:
             jobs = self._service.submit(question, deadline, request.owner)
             request.submitted = jobs[0].submitted
             outcomes = [await jobs[0].result] if question.quick else await wait_for(jobs, receive, self._service)
@@ -227,7 +227,7 @@ class FastPath:
         if quota is not None:
             quota.begin()
         try:
-            with context.paying(len(question.batch)):
+            with context.paying(question.quota_rows):
                 [job] = self._service.submit(question, context.deadline, context.owner)
             context.submitted, job.deliver = job.submitted, deliver
         except BaseException:

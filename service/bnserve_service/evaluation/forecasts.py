@@ -35,6 +35,8 @@ from bnserve_service.settings import REQUEST_COST, ROW_COST, ServiceLimits
 from bnserve_service.telemetry.metrics import Metrics
 from bnserve_service.uploads.networks import NetworkStore, StoredNetwork
 
+_OF_ONE_ROW = 4096
+"""Samples of work that count as a row in quotas: what a log-likelihood takes."""
 _COORDINATES = 13
 _TRIANGLE = _COORDINATES * (_COORDINATES + 1) // 2
 _NUMBERS: dict[ForecastOutput, int] = {"snr": 0, "root": _TRIANGLE, "errors": 14, "covariance": _TRIANGLE + 14}
@@ -136,6 +138,7 @@ class Forecasts(Kind[ForecastQuestion]):
             answer_bytes=rows * _bytes_per_row(stored.description, asked.output),
             answer_type=request.answer_type,
             digest=request.digest,
+            weight=-(-work // _OF_ONE_ROW),
             stored=stored,
             options=options,
             output=asked.output,

@@ -163,6 +163,7 @@ class Likelihoods(Kind[LikelihoodQuestion]):
             "answer_bytes": len(batch) * _bytes_per_row(analysis, output),
             "answer_type": request.answer_type,
             "digest": request.digest,
+            "weight": _WORK[output],
             "stored": stored,
             "output": output,
             "uniforms": asked.uniforms,

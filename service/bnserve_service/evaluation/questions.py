@@ -43,8 +43,15 @@ class Question(msgspec.Struct, frozen=True, eq=False, kw_only=True):
     """The algorithm of the answer's digest."""
     quick: bool = False
     """Whether it takes less time than handing it to a worker."""
+    weight: int = 1
+    """Rows that one counts as in quotas: a derivative costs more than a waveform."""
     is_part: bool = False
     """Whether it is some rows of another, whose answers are joined before they are packed."""
+
+    @property
+    def quota_rows(self) -> int:
+        """Rows that it is charged."""
+        return self.weight * len(self.batch)
 
     def pieces(self, most: int, piece_cost: int) -> list[Self]:
         """The rows in at most ``most`` consecutive parts, each worth the hand-over to a worker."""

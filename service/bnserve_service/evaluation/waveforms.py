@@ -135,6 +135,7 @@ class Waveforms(Kind[WaveformQuestion]):
             answer_bytes=rows * points * arrays * (8 if asked.dtype == "complex64" else 16),
             answer_type=request.answer_type,
             digest=request.digest,
+            weight=_DERIVATIVES if asked.output == "derivatives" else 1,
             quick=work <= quick_work(model.model)
             and request.answer_type == MSGPACK
             and asked.output != "derivatives"
