@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.gw170817 import analyses, priors, setting
+from benchmarks.gw170817 import setting
 from bnserve_inference import LikelihoodOptions, LocalLikelihood, full_analysis, relative_binning_analysis, roq_analysis
 from bnserve_inference.roq import load_shipped_basis
 from bnserve_protocol import (
@@ -55,7 +55,7 @@ class Cases:
         if kind == "full":
             return full_analysis(data, **band, options=LikelihoodOptions(prior=_NARROW, **given))
         if kind == "roq":
-            basis, of_basis = load_shipped_basis(analyses.BASIS), LikelihoodOptions(prior=priors.RANGES, **given)
+            basis, of_basis = load_shipped_basis(setting.BASIS), LikelihoodOptions(prior=setting.RANGES, **given)
             return roq_analysis(data, trigger_time=trigger, basis=basis, model=self._model, options=of_basis)
         own = LikelihoodOptions(prior=_NARROW, **given)
         return relative_binning_analysis(data, **band, fiducial=setting.fiducial(), model=self._model, options=own)

@@ -1,8 +1,10 @@
 """Forecasts beside sampled posteriors: ``python -m benchmarks.fisher.posteriors``.
 
-Five binaries of signal-to-noise ratio 250 in the triangle of the Einstein Telescope and a Cosmic Explorer of 40 km,
-which the Earth turns, 8,192 s from 5 Hz; the data are the signals, without noise. Each is sampled as ``bnserve
-analyse`` does it (relative binning with the moving response, phase and distance integrated over and drawn again), with
+Five binaries in each of three cases: the (2, 2) of ratio 250 in the triangle of the Einstein Telescope and a Cosmic
+Explorer of 40 km (``two_sites``); all modes of ratio 250 in these and a Cosmic Explorer of 20 km (``all_modes``), both
+8,192 s from 5 Hz in detectors that the Earth turns; and the (2, 2) of ratio 100 in LIGO and Virgo with the noise of
+GW170817's day, which stand still for 128 s from 23 Hz (``static``). The data are the signals, without noise. Each is
+sampled as ``bnserve analyse`` does it (relative binning, phase and distance integrated over and drawn again), with
 Gaussian priors of spins and tides, which the forecast has too: without, these run into the ends of their ranges.
 Printed is by how much the forecast's standard deviations differ from the sampled ones. ``--work`` keeps what is
 finished.
@@ -11,9 +13,11 @@ finished.
 from __future__ import annotations
 
 import argparse
+import functools
 import json
 import sys
 import time
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -21,6 +25,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.gw170817 import setting
 from bnserve_inference import (
     Detector,
     DetectorData,
@@ -39,18 +44,16 @@ from bnserve_protocol import (
     DistanceMarginalisation,
     LikelihoodBatch,
     LikelihoodParameters,
+    Mode,
+    Response,
 )
 from bnserve_surrogate import Model
 
 Floats = NDArray[np.float64]
 
-NAMES, CURVES = ("E1", "E2", "E3", "CE40"), ("ET-D", "ET-D", "ET-D", "CE40")
-TRIGGER, DURATION, F_MIN, F_MAX = 1187008882.43, 8192.0, 5.0, 1024.0
-START = TRIGGER - DURATION + 2.0
-MODES = ((2, 2),)
-SNR = 250.0
-PRIORS = {"chi_1": 0.02, "chi_2": 0.02, "lambda_1": 400.0, "lambda_2": 400.0}
-"""Widths of Gaussian priors."""
+TRIGGER = 1187008882.43
+AFTER = 2.0
+"""Seconds of data after the trigger."""
 PHASE_AT = 50.0
 """Hz; the reference frequency of forecasts."""
 BINARIES, SEED = 5, 250
@@ -61,15 +64,76 @@ BOUNDS = {
     "reference_phase": (1.0, 5.0),
 }  # fmt: skip
 """Away from equal masses, tides of zero and face-on orbits, where posteriors have edges and no Gaussian shape."""
-OPTIONS = ForecastOptions(
-    coordinates=(
-        "log_chirp_mass", "log_mass_ratio", "lambda_1", "lambda_2", "chi_1", "chi_2", "log_distance", "inclination",
-        "reference_phase", "coalescence_time",
-    ),
-    priors=PRIORS, modes=MODES, reference_frequency=PHASE_AT,
+COORDINATES_OF_FORECASTS = (
+    "log_chirp_mass", "log_mass_ratio", "lambda_1", "lambda_2", "chi_1", "chi_2", "log_distance", "inclination",
+    "reference_phase", "coalescence_time",
 )  # fmt: skip
-SHOWN = (*OPTIONS.names, "lambda_tilde")
 SETTINGS = Settings(particles=1000, effective=4000)
+GAUSSIAN = 0.3
+"""Up to this skewness (abs) a marginal distribution may pass for a Gaussian."""
+
+
+class Case(NamedTuple):
+    """Detectors with the names of their noise, what they see of a binary, and what is known of it beforehand.
+
+    ``modes`` None are all that the model has; ``snr`` is the signal-to-noise ratio; ``chirp_mass`` half of the width
+    (solar masses) of the prior of the chirp mass; ``priors`` the widths of Gaussian priors.
+    """
+
+    detectors: tuple[str, ...]
+    noise: tuple[str, ...]
+    duration: float
+    f_min: float
+    modes: tuple[Mode, ...] | None
+    snr: float
+    chirp_mass: float
+    priors: Mapping[str, float]
+    response: Response = "moving"
+    f_max: float = 1024.0
+
+    @property
+    def options(self) -> ForecastOptions:
+        """Of its forecasts."""
+        return ForecastOptions(
+            coordinates=COORDINATES_OF_FORECASTS, priors=dict(self.priors), modes=self.modes,
+            reference_frequency=PHASE_AT,
+        )  # fmt: skip
+
+    @property
+    def curves(self) -> list[NoiseCurve]:
+        """The noise of the detectors."""
+        return [curve(name) for name in self.noise]
+
+    @property
+    def network(self) -> Network:
+        """The detectors with their noise."""
+        moving = self.response == "moving"
+        return Network(self.detectors, self.curves, self.f_min, self.f_max, TRIGGER, moving=moving)
+
+
+_TIDES = {"lambda_1": 400.0, "lambda_2": 400.0}
+_WIDE, _NARROW = _TIDES | {"chi_1": 0.02, "chi_2": 0.02}, _TIDES | {"chi_1": 0.005, "chi_2": 0.005}
+_TRIANGLE, _ET = ("E1", "E2", "E3"), ("ET-D", "ET-D", "ET-D")
+CASES = {
+    "two_sites": Case((*_TRIANGLE, "CE40"), (*_ET, "CE40"), 8192.0, 5.0, ((2, 2),), 250.0, 5e-5, _WIDE),
+    "all_modes": Case(
+        (*_TRIANGLE, "CE40", "CE20"), (*_ET, "CE40", "CE20"), 8192.0, 5.0, None, 250.0, 5e-5, _WIDE
+    ),
+    "static": Case(
+        setting.DETECTORS, setting.DETECTORS, setting.DURATION, setting.F_MIN, ((2, 2),), 100.0, 5e-4, _NARROW, "static"
+    ),
+}  # fmt: skip
+SHOWN = (*CASES["two_sites"].options.names, "lambda_tilde")
+
+
+@functools.cache
+def curve(name: str) -> NoiseCurve:
+    """By the name that forecasts know, or that of a detector of GW170817's day."""
+    if name not in setting.DETECTORS:
+        return NoiseCurve.named(name)
+    with np.load(setting.DATA / "asd.npz", allow_pickle=False) as file:
+        frequencies = (int(file["first_bin"]) + np.arange(len(file[name]))) * float(file["delta_f"])
+        return NoiseCurve.of(frequencies, 1e-23 * file[name].astype(float))
 
 
 class Predicted(NamedTuple):
@@ -79,81 +143,78 @@ class Predicted(NamedTuple):
     errors: dict[str, float]
 
 
-def network() -> Network:
-    """The detectors with their noise."""
-    return Network(NAMES, [NoiseCurve.named(name) for name in CURVES], F_MIN, F_MAX, TRIGGER)
-
-
-def predicted(model: Model, number: int) -> Predicted:
+def predicted(model: Model, number: int, case: Case) -> Predicted:
     """A seeded binary at the distance that makes it as loud as it is to be, and its forecast."""
     random = np.random.default_rng([SEED, number])
     values: dict[str, Any] = {name: float(random.uniform(*ends)) for name, ends in BOUNDS.items()}
     values["distance_mpc"] = 100.0
-    near = forecast(model, network(), LikelihoodBatch.coerce(LikelihoodParameters(**values)), OPTIONS)
-    values["distance_mpc"] *= float(near.snr[0]) / SNR
+    near = forecast(model, case.network, LikelihoodBatch.coerce(LikelihoodParameters(**values)), case.options)
+    values["distance_mpc"] *= float(near.snr[0]) / case.snr
     truth = LikelihoodParameters(**values)
-    found = forecast(model, network(), LikelihoodBatch.coerce(truth), OPTIONS)
+    found = forecast(model, case.network, LikelihoodBatch.coerce(truth), case.options)
     errors = {name: float(sigma[0]) for name, sigma in found.errors().items()}
-    return Predicted(truth, errors | {"lambda_tilde": _tidal_error(found.covariance[0], truth)})
+    return Predicted(truth, errors | {"lambda_tilde": _tidal_error(found.covariance[0], truth, case.options.names)})
 
 
-def _tidal_error(covariance: Floats, truth: LikelihoodParameters) -> float:
+def _tidal_error(covariance: Floats, truth: LikelihoodParameters, names: tuple[str, ...]) -> float:
     """Of the reduced tide, by its derivatives."""
-    slopes = np.zeros(len(OPTIONS.names))
+    slopes = np.zeros(len(names))
     for name in ("mass_ratio", "lambda_1", "lambda_2"):
         values = {each: complex(getattr(truth, each)) for each in ("mass_ratio", "lambda_1", "lambda_2")}
         values[name] += 1e-30j
-        place = OPTIONS.names.index("log_mass_ratio" if name == "mass_ratio" else name)
+        place = names.index("log_mass_ratio" if name == "mass_ratio" else name)
         scale = truth.mass_ratio if name == "mass_ratio" else 1.0
         slopes[place] = scale * COORDINATES["lambda_tilde"](values).imag / 1e-30
     return float(np.sqrt(slopes @ covariance @ slopes))
 
 
-def observed(model: Model, truth: LikelihoodParameters) -> list[DetectorData]:
+def observed(model: Model, truth: LikelihoodParameters, case: Case) -> list[DetectorData]:
     """The signal in all detectors, without noise."""
-    f = np.arange(round(F_MAX * DURATION) + 1) / DURATION
+    f = np.arange(round(case.f_max * case.duration) + 1) / case.duration
     return simulate_data(
-        NAMES, [_asd(name, f) for name in CURVES], model=model, parameters=truth, trigger_time=TRIGGER,
-        start_time=START, duration=DURATION, seed=None, f_min=F_MIN, modes=MODES, response="moving",
-        reference_frequency=PHASE_AT,
+        case.detectors, [_asd(each, f, case.f_min) for each in case.curves], model=model, parameters=truth,
+        trigger_time=TRIGGER, start_time=TRIGGER + AFTER - case.duration, duration=case.duration, seed=None,
+        f_min=case.f_min, modes=case.modes, response=case.response, reference_frequency=PHASE_AT,
     )  # fmt: skip
 
 
-def _asd(name: str, f: Floats) -> Floats:
-    asd = np.full(len(f), np.inf)
-    asd[1:] = NoiseCurve.named(name).at(f[1:])
+def _asd(noise: NoiseCurve, f: Floats, f_min: float) -> Floats:
+    asd, inside = np.full(len(f), np.inf), f >= f_min
+    asd[inside] = noise.at(f[inside])
     return asd
 
 
-def cube_of(truth: LikelihoodParameters) -> PriorCube:
+def cube_of(truth: LikelihoodParameters, case: Case) -> PriorCube:
     """Flat about the binary but for spins, tides, orientation and place."""
     q = truth.mass_ratio
     chirp_mass = truth.total_mass * (q / (1.0 + q) ** 2) ** 0.6
     ends = {"chi": "minimum=-0.2, maximum=0.2", "lambda": "minimum=0, maximum=5000"}
     normal = {
         name: f"TruncatedGaussian(mu={getattr(truth, name)!r}, sigma={width}, {ends[name.split('_')[0]]})"
-        for name, width in PRIORS.items()
+        for name, width in case.priors.items()
     }
     given: dict[str, Any] = {
-        "chirp_mass": (chirp_mass - 5e-5, chirp_mass + 5e-5),
+        "chirp_mass": (chirp_mass - case.chirp_mass, chirp_mass + case.chirp_mass),
         "mass_ratio": (0.35, 0.95),
         **normal,
         "luminosity_distance": (0.5 * truth.distance_mpc, 2.0 * truth.distance_mpc),
     }
     priors, _ = priors_of(given, TRIGGER)
-    return PriorCube(priors, TRIGGER, ("phase", "luminosity_distance"), quadrupole=True)
+    return PriorCube(priors, TRIGGER, ("phase", "luminosity_distance"), quadrupole=case.modes is not None)
 
 
-def sampled(model: Model, truth: LikelihoodParameters, settings: Settings) -> tuple[Posterior, dict[str, Floats]]:
+def sampled(
+    model: Model, truth: LikelihoodParameters, case: Case, settings: Settings
+) -> tuple[Posterior, dict[str, Floats]]:
     """The posterior, and the coordinates of its samples."""
-    cube = cube_of(truth)
+    cube = cube_of(truth, case)
     distance = DistanceMarginalisation(minimum=0.5 * truth.distance_mpc, maximum=2.0 * truth.distance_mpc, power=0.0)
     analysis = relative_binning_analysis(
-        observed(model, truth), trigger_time=TRIGGER, f_min=F_MIN, f_max=F_MAX, model=model,
+        observed(model, truth, case), trigger_time=TRIGGER, f_min=case.f_min, f_max=case.f_max, model=model,
         fiducial=LikelihoodBatch.coerce(truth).waveform_batch(),
         options=LikelihoodOptions(
             prior=analysis_ranges(cube, model.description), phase_marginalisation=True,
-            distance_marginalisation=distance, modes=MODES, response="moving", reference_frequency=PHASE_AT,
+            distance_marginalisation=distance, modes=case.modes, response=case.response, reference_frequency=PHASE_AT,
         ),
     )  # fmt: skip
     bound = likelihood(model, analysis)
@@ -161,7 +222,7 @@ def sampled(model: Model, truth: LikelihoodParameters, settings: Settings) -> tu
     def batch_of(u: Floats) -> LikelihoodBatch:
         return cube.batch({**cube(u), "luminosity_distance": np.ones(len(u))})
 
-    sites = [Detector.named(name) for name in NAMES]
+    sites = [Detector.named(name) for name in case.detectors]
     problem = Problem(
         lambda u: bound.log_likelihood(batch_of(u)), len(cube), coordinates_of(cube, sites), cube.periodic(),
         twins_of(cube, sites),
@@ -170,17 +231,20 @@ def sampled(model: Model, truth: LikelihoodParameters, settings: Settings) -> tu
     batch = batch_of(found.points)
     values = {name: np.asarray(batch[name]) for name in LIKELIHOOD_NAMES}
     values |= bound.draw_marginalised(batch, seed=settings.seed).parameters
-    turned = np.mod(values["reference_phase"] - truth.reference_phase + np.pi, 2.0 * np.pi) - np.pi
+    half = (
+        np.pi if case.modes is not None else 2.0 * np.pi
+    )  # it is twice the orbital phase, and odd orders see half turns
+    turned = np.mod(values["reference_phase"] - truth.reference_phase + half, 2.0 * half) - half
     values["reference_phase"] = truth.reference_phase + turned
     values["time_shift"] = values["coalescence_time"]
     return found, {name: COORDINATES.get(name, lambda p, name=name: p[name])(values) for name in SHOWN}
 
 
-def compared(model: Model, number: int, settings: Settings) -> dict[str, Any]:
+def compared(model: Model, number: int, case: Case, settings: Settings) -> dict[str, Any]:
     """One binary: the forecast's standard deviations, the sampled ones and their skewness, by coordinate."""
     started = time.perf_counter()
-    seen = predicted(model, number)
-    found, values = sampled(model, seen.truth, replace(settings, seed=number + 1))
+    seen = predicted(model, number, case)
+    found, values = sampled(model, seen.truth, case, replace(settings, seed=number + 1))
     result: dict[str, Any] = {"binary": number, "predicted": seen.errors, "sampled": {}, "skewness": {}}
     for name, column in values.items():
         centre = float(found.weights @ column)
@@ -194,30 +258,37 @@ def compared(model: Model, number: int, settings: Settings) -> dict[str, Any]:
 
 
 def table(results: list[dict[str, Any]]) -> str:
-    """Rows of coordinates: the forecast over what was sampled, less one, in each binary, and the largest skewness."""
+    """Rows of coordinates: the forecast over what was sampled, less one, in each binary, and the largest skewness.
+
+    What is no Gaussian, as its skewness says, is in brackets.
+    """
     heads = " | ".join(str(result["binary"] + 1) for result in results)
     lines = [f"| | {heads} | largest skewness |", "|" + "---|" * (len(results) + 2)]
     for name in SHOWN:
-        ratios = [100.0 * (result["predicted"][name] / result["sampled"][name] - 1.0) for result in results]
+        cells = []
+        for result in results:
+            cell = f"{100.0 * (result['predicted'][name] / result['sampled'][name] - 1.0):+.1f} %"
+            cells.append(cell if abs(result["skewness"][name]) <= GAUSSIAN else f"({cell})")
         skewness = max((result["skewness"][name] for result in results), key=abs)
-        lines.append(f"| {name} | {' | '.join(f'{ratio:+.1f} %' for ratio in ratios)} | {skewness:+.2f} |")
+        lines.append(f"| {name} | {' | '.join(cells)} | {skewness:+.2f} |")
     return "\n".join(lines)
 
 
 def main(arguments: list[str] | None = None) -> int:
     """Sample what is missing, and print the table; returns the exit status."""
     parser = argparse.ArgumentParser(prog="python -m benchmarks.fisher.posteriors", description=__doc__)
+    parser.add_argument("--case", choices=CASES, default="two_sites", help="(two_sites)")
     parser.add_argument("--work", type=Path, default=Path("runs/fisher"), help="finished binaries (runs/fisher)")
     parser.add_argument("--binaries", type=int, default=BINARIES, help=f"({BINARIES})")
     parser.add_argument("--particles", type=int, default=SETTINGS.particles, help=f"({SETTINGS.particles})")
     parser.add_argument("--effective", type=int, default=SETTINGS.effective, help=f"({SETTINGS.effective})")
     options = parser.parse_args(arguments)
     options.work.mkdir(parents=True, exist_ok=True)
-    path, model = options.work / "posteriors.jsonl", Model.default()
+    path, model = options.work / f"{options.case}.jsonl", Model.default()
     results = [json.loads(line) for line in path.read_text().splitlines()] if path.exists() else []
     settings = replace(SETTINGS, particles=options.particles, effective=options.effective)
     for number in sorted(set(range(options.binaries)) - {result["binary"] for result in results}):
-        results.append(compared(model, number, settings))
+        results.append(compared(model, number, CASES[options.case], settings))
         with path.open("a") as file:
             file.write(json.dumps(results[-1]) + "\n")
     print(table(sorted(results, key=lambda result: int(result["binary"]))))

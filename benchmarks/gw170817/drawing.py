@@ -12,19 +12,19 @@ from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter
 
 from benchmarks.figures.style import BLUE, GREEN, GREY, ORANGE, figure, talk
-from benchmarks.gw170817.marginals import Shown, physical
-from bnserve_protocol import LikelihoodBatch, LikelihoodParameters
 
 Floats = NDArray[np.float64]
 _BINS = 30
 _STYLES = ((BLUE, "-"), (ORANGE, "--"), (GREEN, ":"))
 
 
-def draw_corner(posteriors: Mapping[str, Shown], truth: LikelihoodParameters | None, path: Path) -> None:
+Columns = Mapping[str, Floats]
+
+
+def draw_corner(posteriors: Mapping[str, Columns], truth: Mapping[str, float], path: Path) -> None:
     """Histograms of parameters and pairs; contours hold 50 and 90 percent; grey lines are the injection."""
-    true = None if truth is None else {name: float(x[0]) for name, x in physical(LikelihoodBatch.coerce(truth)).items()}
-    names = list(next(iter(posteriors.values())).columns)
-    ends = {name: _ends([shown.columns[name] for shown in posteriors.values()]) for name in names}
+    names = list(next(iter(posteriors.values())))
+    ends = {name: _ends([columns[name] for columns in posteriors.values()]) for name in names}
     with talk():
         page = figure(15.0, 15.0)
         axes = page.subplots(len(names), len(names))
@@ -35,34 +35,44 @@ def draw_corner(posteriors: Mapping[str, Shown], truth: LikelihoodParameters | N
                 if column > row:
                     axis.axis("off")
                     continue
-                for shown, (colour, line) in zip(posteriors.values(), _STYLES, strict=False):
-                    _draw(axis, shown, across, below, ends, colour, line)
-                _mark(axis, across, below, true)
+                for columns, (colour, line) in zip(posteriors.values(), _STYLES, strict=False):
+                    _draw(axis, columns, across, below, ends, colour, line)
+                _mark(axis, across, below, truth)
+                axis.set_xlim(ends[across])
+                if row != column:
+                    axis.set_ylim(ends[below])
                 axis.set_xlabel(across if row == len(names) - 1 else "", fontsize=12)
                 axis.set_ylabel(below if column == 0 and row else "", fontsize=12)
                 axis.tick_params(labelsize=8, labelbottom=row == len(names) - 1, labelleft=column == 0 and row > 0)
         lines = [Line2D([], [], color=colour, ls=line, lw=2.5) for colour, line in _STYLES[: len(posteriors)]]
-        page.legend(lines, [name.replace("_", " ") for name in posteriors], loc="upper right", fontsize=20)
+        page.legend(lines, list(posteriors), loc="upper right", fontsize=20)
         page.savefig(path, dpi=80)
 
 
 def _ends(columns: list[Floats]) -> tuple[float, float]:
-    low, high = min(values.min() for values in columns), max(values.max() for values in columns)
-    return float(low), float(high)
+    """But for a thousandth to either side."""
+    quantiles = np.quantile(np.concatenate(columns), (0.001, 0.999))
+    return float(quantiles[0]), float(quantiles[1])
 
 
 def _draw(
-    axis: Axes, shown: Shown, across: str, below: str, ends: Mapping[str, tuple[float, float]], colour: str, line: str
+    axis: Axes,
+    columns: Columns,
+    across: str,
+    below: str,
+    ends: Mapping[str, tuple[float, float]],
+    colour: str,
+    line: str,
 ) -> None:
-    x, y = shown.columns[across], shown.columns[below]
+    x, y = columns[across], columns[below]
     if across == below:
         axis.hist(
-            x, bins=_BINS, range=ends[across], weights=shown.weights, histtype="step", color=colour, ls=line, lw=1.5,
+            x, bins=_BINS, range=ends[across], histtype="step", color=colour, ls=line, lw=1.5,
             density=True,
         )  # fmt: skip
         axis.set_yticks([])
         return
-    counts, xs, ys = np.histogram2d(x, y, bins=_BINS, range=(ends[across], ends[below]), weights=shown.weights)
+    counts, xs, ys = np.histogram2d(x, y, bins=_BINS, range=(ends[across], ends[below]))
     counts = gaussian_filter(counts, 1.0)
     order = np.sort(counts.ravel())[::-1]
     held = np.cumsum(order) / order.sum()
@@ -71,8 +81,8 @@ def _draw(
     axis.contour(*middles, counts.T, levels=levels, colors=colour, linestyles=line, linewidths=1.3)
 
 
-def _mark(axis: Axes, across: str, below: str, true: Mapping[str, float] | None) -> None:
-    if true is not None:
+def _mark(axis: Axes, across: str, below: str, true: Mapping[str, float]) -> None:
+    if across in true:
         axis.axvline(true[across], color=GREY, lw=1.2)
-        if across != below:
-            axis.axhline(true[below], color=GREY, lw=1.2)
+    if below in true and across != below:
+        axis.axhline(true[below], color=GREY, lw=1.2)

@@ -1,19 +1,21 @@
-"""What is analysed: real noise curves with an injected signal, or the strain files of the event."""
+"""What is analysed: the noise curves of that day with an injected signal like the event's, and the paper's prior."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from msgspec.structs import replace
 from numpy.typing import NDArray
 
 from benchmarks.generator_model import GeneratorModel
-from bnserve_inference import DetectorData, gwosc_segment, interpolate_asd, simulate_data
+from bnserve_inference import DetectorData, interpolate_asd, simulate_data
+from bnserve_posterior.events import Event, read_event
+from bnserve_posterior.priors import PriorCube, priors_of
 from bnserve_protocol import (
     SOLAR_MASS_SECONDS,
-    BnserveError,
     LikelihoodBatch,
     LikelihoodParameters,
     ParameterBatch,
@@ -21,6 +23,7 @@ from bnserve_protocol import (
 )
 from bnserve_surrogate.training.data.generators import TEOBResumSPA
 
+EXAMPLE = Path(__file__).parents[2] / "examples" / "gw170817.toml"
 DATA = Path(__file__).parents[1] / "data" / "gw170817"
 DETECTORS = ("H1", "L1", "V1")
 MODES = ((2, 2),)
@@ -39,19 +42,50 @@ CHIRP_MASS = 1.1975
 """Detector frame, solar masses; the middle of the event's posterior."""
 
 
-class DataMissing(BnserveError):
-    """A detector without the file that it needs."""
-
-    code = "data-missing"
-    title = "Data not found"
+BASIS = "gw170817_fine"
+TIMES = (-0.05, 0.05)
+"""Seconds around the trigger at which the merger may reach the centre of the Earth."""
+RANGES = {
+    "mass_ratio": (1.0, 3.0), "chi_1": (-0.5, 0.5), "chi_2": (-0.5, 0.5), "lambda_1": (5.0, 5000.0),
+    "lambda_2": (5.0, 5000.0), "chirp_mass": (1.1968, 1.1988), "coalescence_time": TIMES,
+}  # fmt: skip
+"""The box of the prior, for analyses."""
+DISTANCES = (1.0, 75.0)
+"""Mpc."""
 
 
 @dataclass(frozen=True)
-class Event:
-    """Data of the network, and the signal in it if somebody put it there."""
+class Injected:
+    """Data of the network, and the signal in it."""
 
     data: list[DetectorData]
-    truth: LikelihoodParameters | None
+    truth: LikelihoodParameters
+
+
+def paper_event(folder: Path | str = "runs/gw170817_paper", **sections: dict[str, Any]) -> Event:
+    """The paper's analysis, as ``bnserve analyse`` reads it: ``examples/gw170817.toml`` with detectors that stand
+    still, as the paper's, and with a prior of the time that a reduced-order quadrature is made for.
+
+    ``sections`` are changes of it.
+    """
+    event = read_event(EXAMPLE)
+    times = TRIGGER + TIMES[0], TRIGGER + TIMES[1]
+    changes: dict[str, dict[str, Any]] = {name: dict(section) for name, section in sections.items()}
+    changes.setdefault("likelihood", {})["response"] = "static"
+    changes.setdefault("output", {})["folder"] = str(folder)
+    assert event.data.injection is not None
+    return replace(
+        event,
+        data=replace(event.data, injection=replace(event.data.injection, response="static")),
+        prior={**event.prior, "geocent_time": times},
+        **{name: replace(getattr(event, name), **section) for name, section in changes.items()},
+    )
+
+
+def prior_cube() -> PriorCube:
+    """The paper's prior, over the unit cube; phase and distance, which likelihoods integrate over, are no columns."""
+    priors, _ = priors_of(paper_event().prior, TRIGGER)
+    return PriorCube(priors, TRIGGER, ("phase", "luminosity_distance"), quadrupole=True)
 
 
 def total_mass(chirp_mass: NDArray[np.float64] | float, mass_ratio: NDArray[np.float64] | float) -> NDArray[np.float64]:
@@ -102,11 +136,11 @@ def effective_one_body() -> GeneratorModel:
     return GeneratorModel(TEOBResumSPA(first_mf=F_MIN * (reference().total_mass * SOLAR_MASS_SECONDS)))
 
 
-def inject(asds: list[NDArray[np.float64]], generator: WaveformModel, snr: float = SNR, seed: int = SEED) -> Event:
+def inject(asds: list[NDArray[np.float64]], generator: WaveformModel, snr: float = SNR, seed: int = SEED) -> Injected:
     """The reference binary, at the distance that gives it that signal-to-noise ratio, in seeded Gaussian noise."""
     near = simulated(asds, generator, reference(), None)
     truth = reference(reference().distance_mpc * network_snr(near) / snr)
-    return Event(simulated(asds, generator, truth, seed), truth)
+    return Injected(simulated(asds, generator, truth, seed), truth)
 
 
 def simulated(
@@ -117,26 +151,3 @@ def simulated(
         DETECTORS, asds, model=generator, parameters=signal, trigger_time=TRIGGER, start_time=START,
         duration=DURATION, seed=seed, f_min=F_MIN, modes=MODES,
     )  # fmt: skip
-
-
-def read_event(asds: list[NDArray[np.float64]], files: Mapping[str, Path]) -> Event:
-    """The event itself, from a GWOSC strain file of each detector (4096 Hz, HDF5).
-
-    Raises
-    ------
-    DataMissing
-        A detector without a file.
-    AnalysisInvalid
-        A file that is none, or does not hold the segment.
-    """
-    missing = [name for name in DETECTORS if name not in files]
-    if missing:
-        raise DataMissing(f"No strain file for {', '.join(missing)}: give --strain DETECTOR=FILE for each detector.")
-    strains = [gwosc_segment(files[name], START, DURATION) for name in DETECTORS]
-    return Event(
-        [
-            DetectorData(name, strain, asd, start_time=START, duration=DURATION)
-            for name, strain, asd in zip(DETECTORS, strains, asds, strict=True)
-        ],
-        None,
-    )

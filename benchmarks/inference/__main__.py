@@ -32,7 +32,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.gw170817 import analyses, setting
+from benchmarks.gw170817 import setting
 from benchmarks.inference import measuring
 from benchmarks.servers import bnserve_server
 from benchmarks.workers import ROOT, Worker, unwind_on_sigterm
@@ -83,14 +83,14 @@ def speed_and_accuracy(rounds: int, points: int) -> dict[str, Any]:
             f"{kind}_max_abs_delta_lnl": float(delta.max()),
             f"{kind}_median_abs_delta_lnl": float(np.median(delta)),
         }
-    basis = load_shipped_basis(analyses.BASIS)
+    basis = load_shipped_basis(setting.BASIS)
     return result | {
         "points": len(at),
         "snr": setting.SNR,
         "best_log_likelihood": float(values["full"].max()),
         "rounds": rounds,
         "samples_per_call": len(samples),
-        "basis": analyses.BASIS,
+        "basis": setting.BASIS,
         "basis_linear": len(basis.linear_nodes),
         "basis_quadratic": len(basis.quadratic_nodes),
         "relative_binning_nodes": len(built["relative_binning"].linear_nodes),
@@ -122,11 +122,14 @@ def roq_build() -> dict[str, Any]:
 
 def posterior(work: Path) -> dict[str, Any]:
     """The posterior of the injection, sampled through a service of its own."""
-    command = [sys.executable, "-m", "benchmarks.gw170817", "--sample-only", "--work", work]
-    done = subprocess.run([str(part) for part in command], cwd=ROOT, check=True, stdout=subprocess.PIPE, text=True)
-    found = json.loads(done.stdout.splitlines()[-1])
+    command = [sys.executable, "-m", "benchmarks.gw170817", "--kinds", "quadrature", "--generator-checks", "0"]
+    subprocess.run([*command, "--work", str(work)], cwd=ROOT, check=True, stdout=sys.stderr)
+    found = json.loads((work / "result.json").read_text())["runs"]["quadrature"]
     return {
-        name: found[name] for name in ("posterior_minutes", "likelihood_calls", "log_evidence", "effective_samples")
+        "posterior_minutes": round(found["seconds"]["sampling"] / 60.0, 3),
+        "likelihood_calls": found["likelihoods"],
+        "log_evidence": round(found["log_evidence"], 3),
+        "effective_samples": found["effective_samples"],
     }
 
 

@@ -11,8 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.gw170817 import analyses, priors, setting
-from benchmarks.gw170817.priors import DISTANCES, UnitCube
+from benchmarks.gw170817 import setting
 from bnserve_inference import LikelihoodOptions, full_analysis, relative_binning_analysis, roq_analysis
 from bnserve_inference.roq import load_shipped_basis
 from bnserve_protocol import LIKELIHOOD_NAMES, Analysis, LikelihoodBatch, WaveformModel
@@ -20,13 +19,15 @@ from bnserve_protocol import LIKELIHOOD_NAMES, Analysis, LikelihoodBatch, Wavefo
 Floats = NDArray[np.float64]
 ROWS = 4096
 """Samples in a call: what a service takes at once."""
+PHASE_TOLERANCE = 0.2
+"""Radians across a bin, to begin with: bins are placed anew until they serve the whole prior."""
 
 
-def plain_analyses(event: setting.Event, model: WaveformModel) -> dict[str, Analysis]:
+def plain_analyses(event: setting.Injected, model: WaveformModel) -> dict[str, Analysis]:
     """The three kinds for the same data, with the phase integrated over as samplers like it, and nothing else."""
-    options = LikelihoodOptions(prior=priors.RANGES, phase_marginalisation=True, modes=setting.MODES)
+    options = LikelihoodOptions(prior=setting.RANGES, phase_marginalisation=True, modes=setting.MODES)
     band: dict[str, Any] = {"trigger_time": setting.TRIGGER, "f_min": setting.F_MIN, "f_max": setting.F_MAX}
-    basis = load_shipped_basis(analyses.BASIS)
+    basis = load_shipped_basis(setting.BASIS)
     return {
         "roq": roq_analysis(event.data, trigger_time=setting.TRIGGER, basis=basis, model=model, options=options),
         "relative_binning": relative_binning_analysis(
@@ -34,7 +35,7 @@ def plain_analyses(event: setting.Event, model: WaveformModel) -> dict[str, Anal
             **band,
             fiducial=setting.fiducial(),
             model=model,
-            phase_tolerance=analyses.PHASE_TOLERANCE,
+            phase_tolerance=PHASE_TOLERANCE,
             options=options,
         ),
         "full": full_analysis(event.data, **band, options=options),
@@ -44,8 +45,9 @@ def plain_analyses(event: setting.Event, model: WaveformModel) -> dict[str, Anal
 def prior_samples(rows: int, seed: int = 3) -> LikelihoodBatch:
     """Draws from the prior, distances included."""
     random = np.random.default_rng(seed)
-    batch = UnitCube()(random.random((rows, len(priors.NAMES))))
-    batch.values[:, LIKELIHOOD_NAMES.index("distance_mpc")] = random.uniform(*DISTANCES, rows)
+    cube = setting.prior_cube()
+    batch = cube.batch(cube(random.random((rows, len(cube)))))
+    batch.values[:, LIKELIHOOD_NAMES.index("distance_mpc")] = random.uniform(*setting.DISTANCES, rows)
     return LikelihoodBatch(batch.values)
 
 

@@ -112,7 +112,7 @@ class Forecast:
         return np.asarray(found)
 
     def errors(self) -> dict[str, Floats]:
-        """Standard deviation of each coordinate, the others unknown, ``(N,)`` by name."""
+        """Standard deviation of each coordinate in its unit, the others unknown, ``(N,)`` by name, or NaN."""
         sigma = np.sqrt(np.einsum("npp->np", self.covariance))
         return {name: sigma[:, place] for place, name in enumerate(self.names)}
 

@@ -8,7 +8,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from benchmarks.gw170817 import priors, setting
+from benchmarks.gw170817 import setting
 from benchmarks.inference.measuring import posterior_points, prior_samples
 from bnserve_inference import LikelihoodOptions, full_analysis, likelihood, relative_binning_analysis, roq_analysis
 from bnserve_inference.roq import load_shipped_basis
@@ -18,7 +18,7 @@ from tests.inference.bases import CHIRP_MASS, RANGES, WIDTH, made_basis
 from tests.inference.networks import F_MAX, F_MIN, PRIOR, TRIGGER, TRUTH, columns, full, network, without
 from tests.inference.test_kinds_agree import binned, errors
 
-PHASELESS = LikelihoodOptions(prior=priors.RANGES, phase_marginalisation=True, modes=setting.MODES)
+PHASELESS = LikelihoodOptions(prior=setting.RANGES, phase_marginalisation=True, modes=setting.MODES)
 BAND = {"trigger_time": setting.TRIGGER, "f_min": setting.F_MIN, "f_max": setting.F_MAX}
 
 

@@ -1,54 +1,67 @@
-"""The priors of the GW170817 analysis, and the setting of the percentile-percentile test."""
+"""The paper's analysis of GW170817, and the setting of the percentile-percentile test."""
 
 import numpy as np
+import pytest
 
-from benchmarks.gw170817 import coordinates, priors
-from benchmarks.gw170817.setting import TRIGGER
+from benchmarks.gw170817 import comparing, setting
 from benchmarks.pp import trial, turning
-from bnserve_inference import Detector, sidereal_time, time_delay
+from bnserve_posterior.data import load_data
+from bnserve_posterior.likelihoods import analysis_ranges
+from bnserve_surrogate import Model
 
 
-def test_the_time_is_that_of_the_arrival_at_hanford():
-    u = np.random.default_rng(1).random((20, len(priors.NAMES)))
-    batch = priors.UnitCube()(u)
-    site, (now, _) = Detector.named("H1"), sidereal_time(TRIGGER)
-    for row in range(len(batch)):
-        delay = time_delay(site, batch["right_ascension"][row], batch["declination"][row], now)
-        arrival = priors.ARRIVALS[0] + u[row, -1] * (priors.ARRIVALS[1] - priors.ARRIVALS[0])
-        assert abs(batch["coalescence_time"][row] + delay - arrival) < 1e-9
+@pytest.fixture(scope="module")
+def model():
+    return Model.default()
 
 
-def test_places_are_uniform_in_the_sky():
-    u = np.random.default_rng(2).random((20_000, len(priors.NAMES)))
-    batch = priors.UnitCube()(u)
-    assert abs(np.mean(np.sin(batch["declination"]))) < 0.02
-    assert abs(np.mean(np.sin(batch["declination"]) ** 2) - 1.0 / 3.0) < 0.01
-    assert abs(np.mean(np.cos(batch["right_ascension"]))) < 0.02
+def test_the_papers_prior_is_that_of_the_example(model):
+    cube = setting.prior_cube()
+    assert len(cube) == 11
+    found = analysis_ranges(cube, model.description)
+    assert found.keys() == setting.RANGES.keys()
+    for name, ends in setting.RANGES.items():
+        assert found[name] == pytest.approx(ends, rel=1e-6), name
+    distance = cube.priors["luminosity_distance"]
+    assert (distance.minimum, distance.maximum) == setting.DISTANCES
 
 
-def test_spins_follow_the_aligned_part_of_an_isotropic_prior():
-    spins = priors.aligned_spins(np.random.default_rng(3).random(50_000))
-    for fraction in (0.1, 0.3, 0.7):
-        expected = fraction * (1.0 - np.log(fraction))
-        assert abs(np.mean(np.abs(spins) < fraction * priors.LARGEST_SPIN) - expected) < 0.01
-    assert abs(np.mean(spins > 0.0) - 0.5) < 0.01
+def test_the_example_and_the_other_benchmarks_have_the_same_data(model):
+    """Segment, noise curves, signal, distance and noise; the example's own are in detectors that turn."""
+    ours = load_data(setting.paper_event(), model, setting.MODES)
+    theirs = setting.inject(setting.read_asds(), model)
+    assert ours.injection["luminosity_distance"] == pytest.approx(theirs.truth.distance_mpc, rel=1e-6)
+    for one, other in zip(ours.detectors, theirs.data, strict=True):
+        assert (one.name, one.start_time, one.duration) == (other.name, other.start_time, other.duration)
+        band = one.band(setting.F_MIN, setting.F_MAX)
+        np.testing.assert_allclose(one.asd[band], other.asd[band], rtol=1e-6)
+        np.testing.assert_allclose(one.strain[band] / one.asd[band], other.strain[band] / one.asd[band], atol=1e-4)
 
 
-def test_masses_are_flat_in_the_components():
-    u = np.random.default_rng(4).random((2, 50_000))
-    q, chirp_mass = priors.mass_ratios(u[0]), priors.chirp_masses(u[1])
-    lighter = chirp_mass * (1.0 + q) ** 0.2 * q**-0.6
-    weights = 1.0 / (chirp_mass * (1.0 + q) ** 0.4 * q**-1.2)
-    # Undoing the density leaves a uniform distribution in (Mc, q): their weighted mean is the middle of the box.
-    assert abs(np.average(q, weights=weights) - np.mean(priors.MASS_RATIOS)) < 0.02
-    assert (lighter > 0.0).all()
+def test_divergences_tell_posteriors_apart():
+    random = np.random.default_rng(1)
+    one, same, other = ({"x": random.normal(shift, 1.0, 5000)} for shift in (0.0, 0.0, 0.5))
+    assert comparing.divergences(one, one)["x"] == 0.0
+    assert comparing.divergences(one, same)["x"] < 0.003
+    assert comparing.divergences(one, other)["x"] == pytest.approx(0.031, abs=0.008)  # 0.25 / 8 to first order
 
 
 def test_a_seed_is_a_binary():
-    first, again, other = trial.draw(1), trial.draw(1), trial.draw(2)
-    assert first[1] == again[1] != other[1]
-    np.testing.assert_array_equal(first[0], again[0])
-    assert trial.DISTANCES[0] <= first[1].distance_mpc <= trial.DISTANCES[1]
+    cube = trial.prior_cube()
+    first, again, other = (trial.draw(cube, seed) for seed in (1, 1, 2))
+    assert first == again != other
+    assert trial.DISTANCES[0] <= first.distance_mpc <= trial.DISTANCES[1]
+    assert (first.right_ascension, first.declination) == tuple(trial.PLACE.values())
+
+
+def test_what_is_ranked_rises_with_the_place_in_the_prior():
+    cube = trial.prior_cube()
+    u = np.random.default_rng(3).random((200, len(trial.NAMES)))
+    batch = cube.batch(cube(trial.places(cube, u)))
+    found = trial.ranked(batch)
+    assert tuple(sorted(found)) == tuple(sorted(trial.NAMES))
+    for column, name in enumerate(trial.NAMES):
+        np.testing.assert_array_equal(np.argsort(found[name]), np.argsort(u[:, column]))
 
 
 def test_a_seed_is_a_binary_anywhere_in_the_sky_of_the_einstein_telescope():
@@ -61,19 +74,3 @@ def test_a_seed_is_a_binary_anywhere_in_the_sky_of_the_einstein_telescope():
     assert min(heights) < -0.7
     assert max(heights) > 0.7
     assert turning.DISTANCES[0] <= first.truth.distance_mpc <= turning.DISTANCES[1]
-
-
-def test_coordinates_of_a_binary_can_be_undone_and_know_their_volume():
-    u = np.random.default_rng(5).uniform(0.05, 0.95, (300, 9))
-    y, volumes = coordinates.from_cube(u)
-    back, again = coordinates.to_cube(y)
-    np.testing.assert_allclose(back, u, atol=1e-5)
-    np.testing.assert_allclose(again, volumes, rtol=0.0, atol=1e-6)
-    step = 1e-5
-    for row in range(5):
-        moved = np.repeat(u[row][None], 18, axis=0)
-        moved[np.arange(9), np.arange(9)] += step
-        moved[np.arange(9, 18), np.arange(9)] -= step
-        there = coordinates.from_cube(moved)[0]
-        _, size = np.linalg.slogdet((there[:9] - there[9:]) / (2.0 * step))
-        assert abs(size + volumes[row]) < 0.05  # aligned_spins interpolates a table, which has steps in its slope

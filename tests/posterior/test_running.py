@@ -1,5 +1,6 @@
 """A run's parts: likelihoods in threads, what is kept of the choice of a likelihood, and the data that are shown."""
 
+import msgspec
 import numpy as np
 import pytest
 from scipy.special import logsumexp
@@ -159,3 +160,23 @@ def test_another_calibration_is_another_run(model, tmp_path):
     file.write_text((DATA / "L1_CalEnv.txt").read_text())
     with pytest.raises(OutputExists, match="other data"):
         prepared(model, tmp_path / "run", **changes)
+
+
+def test_a_signal_may_be_of_another_model_than_the_one_that_analyses_it(model, tmp_path):
+    asked = []
+
+    class Other:
+        description = msgspec.structs.replace(model.description, digest="sha256:other")
+
+        def __getattr__(self, name):
+            asked.append(name)
+            return getattr(model, name)
+
+    found = event(output__folder=str(tmp_path / "run"))
+    own = prepare(found, model, Folder(found.output, resume=True))
+    with pytest.raises(OutputExists, match="another model"):
+        prepare(found, model, Folder(found.output, resume=True), signals=Other())
+    assert asked
+    other = prepare(found, model, Folder(found.output, force=True), signals=Other())
+    assert other.model is model
+    assert other.analysis.digest == own.analysis.digest

@@ -31,7 +31,7 @@ _BEGIN, _YEAR = 1.9e9, 3.15576e7
 
 
 def luminosity_distance(redshift: Floats) -> Floats:
-    """Mpc, in the flat universe of Planck 2018, ``(N,)``."""
+    """Mpc ``(N,)`` of redshifts ``(N,)``, in the flat universe of Planck 2018 (arXiv:1807.06209)."""
     grid = np.linspace(0.0, max(1e-6, float(np.max(redshift, initial=0.0))), _GRID)
     x, w = np.polynomial.legendre.leggauss(4)
     half = 0.5 * np.diff(grid)[:, None]

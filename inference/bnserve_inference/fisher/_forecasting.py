@@ -70,10 +70,19 @@ def forecast(
     Parameters
     ----------
     model
-        Whose waveforms; it has derivatives.
+        Whose waveforms; it has derivatives. A remote one makes the forecasts where it is, to the same bits.
+    network
+        The detectors, their noise and the band.
     samples
-        The binaries, as a likelihood takes them, with distance and ``coalescence_time``; those whose declination is
-        beyond a pole, or who merge before 1980 or after 2100, are flagged as ``OUT_OF_DOMAIN``.
+        N binaries, as a likelihood takes them, with distance (Mpc) and ``coalescence_time`` (s from the network's
+        trigger); those whose declination is beyond a pole, or who merge before 1980 or after 2100, are flagged as
+        ``OUT_OF_DOMAIN``.
+    options
+        Coordinates, priors, modes.
+
+    Returns
+    -------
+    N matrices of P = 13 coordinates, and what follows from them. Rows outside the model's ranges are flagged and NaN.
 
     Raises
     ------

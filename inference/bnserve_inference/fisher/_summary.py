@@ -15,31 +15,50 @@ _LOUD = (8.0, 12.0, 100.0)
 _PANELS = {
     "snr": "signal-to-noise ratio",
     "error/log_distance": "error of ln distance",
-    "sky_area_90": "90 % of the sky, square degrees",
+    "sky_area_90": "area of the sky (90 %), square degrees",
     "error/lambda_tilde": "error of Lambda-tilde",
 }
 
 
 def summary(found: Mapping[str, NDArray[Any]]) -> dict[str, float]:
-    """Counts and medians, of the binaries that a network hears (signal-to-noise ratio 12)."""
+    """Counts, and medians of the binaries that a network hears (signal-to-noise ratio above 12), by what they are.
+
+    ``found`` is as :func:`forecast_catalogue` returns it. Errors are in the units of their coordinates, areas in square
+    degrees.
+    """
     fine = found["status"] == RowStatus.OK
     numbers: dict[str, float] = {"binaries": len(fine), "not evaluated": int((~fine).sum())}
     for level in _LOUD:
         numbers[f"snr above {level:g}"] = int((found["snr"] > level).sum())
     heard = fine & (found["snr"] > _LOUD[1])
-    numbers["of these not measured (singular)"] = int((heard & found["singular"]).sum())
+    those = f"above {_LOUD[1]:g}, "
+    numbers[f"{those}not measured (singular)"] = int((heard & found["singular"]).sum())
     if not heard.any():
         return numbers
     for name in ("snr", "sky_area_90", *(key for key in found if key.startswith("error/"))):
         own = found[name][heard & np.isfinite(found[name])]
         if len(own):
-            numbers[f"median {name.removeprefix('error/')}" + (" error" if "/" in name else "")] = float(np.median(own))
+            error = "error of " if "/" in name else ""
+            numbers[f"{those}median {error}{name.removeprefix('error/')}"] = float(np.median(own))
     return numbers
 
 
 def draw_forecasts(found: Mapping[str, NDArray[Any]], path: Path) -> None:
     """How many binaries are louder than so much, and how many of those that the network hears have smaller errors of
-    distance and tides, and smaller areas of the sky."""
+    distance and tides, and smaller areas of the sky.
+
+    Parameters
+    ----------
+    found
+        As :func:`forecast_catalogue` returns it.
+    path
+        Of the picture, in a format that matplotlib has; written whole or not at all.
+
+    Raises
+    ------
+    PackageMissing
+        matplotlib is not installed.
+    """
     require("matplotlib", "A picture of forecasts", "roq")
     from matplotlib.figure import Figure
 
@@ -55,7 +74,7 @@ def draw_forecasts(found: Mapping[str, NDArray[Any]], path: Path) -> None:
         axes.set_xscale("log")
         axes.set_yscale("log")
         axes.set_xlabel(label)
-        axes.set_ylabel("binaries with more" if name == "snr" else f"of those above {_LOUD[1]:g}, with less")
+        axes.set_ylabel("binaries that are louder" if name == "snr" else f"of those above {_LOUD[1]:g}, with less")
         axes.grid(visible=True, alpha=0.3)
     draft = path.with_name(f".draft-{path.name}")
     try:

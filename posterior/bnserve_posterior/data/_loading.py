@@ -52,7 +52,7 @@ class EventData:
 
 
 def segment_start(data: DataSection) -> float:
-    """GPS seconds of the first sample."""
+    """GPS seconds of the first sample: as stated, or the last whole second that leaves two after the trigger."""
     if data.start_time is not None:
         return data.start_time
     return math.floor(data.trigger_time + _AFTER - data.duration)

@@ -112,7 +112,7 @@ def _said(event: Event, analysis: Analysis, binned: Analysis | None) -> str:
 
 
 def full_likelihood(event: Event, data: EventData, cube: PriorCube, model: WaveformModel) -> Analysis:
-    """The likelihood on all frequencies of the data; raises as :func:`build_likelihood`."""
+    """The likelihood on all frequencies of the data, integrating over the same; as :func:`build_likelihood`."""
     band = event.data
     return full_analysis(
         data.detectors, trigger_time=band.trigger_time, f_min=band.f_min, f_max=band.f_max,

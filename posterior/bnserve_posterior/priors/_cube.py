@@ -82,7 +82,7 @@ class PriorCube:
         return len(self.names)
 
     def __call__(self, u: Floats) -> dict[str, Floats]:
-        """The parameters at points ``(N, D)``, by bilby's names, ``(N,)`` each."""
+        """The parameters at points ``(N, D)``, by bilby's names and in its units, ``(N,)`` each; fixed ones, too."""
         found = {
             name: np.asarray(self.rescaled(name, column), dtype=np.float64)
             for name, column in zip(self.names, u.T, strict=True)
@@ -90,17 +90,29 @@ class PriorCube:
         return {**found, **{name: np.full(len(u), value) for name, value in self.fixed.items()}}
 
     def rescaled(self, name: str, u: Floats) -> Floats:
-        """The values of one parameter where its probability reaches ``u``."""
+        """The values ``(N,)`` of one parameter where its probability reaches ``u`` ``(N,)``, in its unit."""
         if name == "psi" and self.folded:
             return np.asarray(self.priors[name].minimum + _QUARTER * u)
         return np.asarray(self.priors[name].rescale(u))
 
     def batch(self, values: dict[str, Floats]) -> LikelihoodBatch:
-        """What the likelihood takes."""
+        """What the likelihood takes: N rows of parameters by bilby's names, ``(N,)`` each.
+
+        Raises
+        ------
+        InvalidParameters
+            Too few to know the binary, or a name that is unknown.
+        """
         return likelihood_batch(values, self.trigger_time)
 
     def allowed(self, values: dict[str, Floats]) -> NDArray[np.bool_]:
-        """Which binaries the constraints allow, ``(N,)``."""
+        """Which binaries, ``(N,)``, the constraints allow.
+
+        Raises
+        ------
+        EventInvalid
+            A constraint of what does not follow from the parameters.
+        """
         count = len(next(iter(values.values())))
         good = np.ones(count, dtype=bool)
         if self.constraints:
@@ -130,7 +142,7 @@ class PriorCube:
         return math.log(part)
 
     def unfolded(self, values: dict[str, Floats], random: np.random.Generator) -> dict[str, Floats]:
-        """Samples over the whole of the prior, where half of the range of ``psi`` was sampled."""
+        """Samples ``(N,)`` each over the whole of the prior, where half of the range of ``psi`` was sampled."""
         if not self.folded:
             return values
         turned = values["psi"] + _QUARTER * random.integers(2, size=len(values["psi"]))

@@ -97,7 +97,7 @@ class Folder:
         self._write(_RUN, json.dumps({"fingerprint": fingerprint}).encode())
 
     def analysis(self) -> Choice | None:
-        """The likelihood that was built for this run."""
+        """The likelihood that was built for this run; None if there is none yet."""
         path = self.path / _ANALYSIS
         if not path.exists():
             return None
@@ -105,7 +105,7 @@ class Folder:
         return Choice(decode_analysis(path.read_bytes()), said["facts"], said["static_error"])
 
     def keep_analysis(self, choice: Choice) -> None:
-        """Keep it."""
+        """Keep the likelihood that was built; raises as :meth:`writing`."""
         said = {"facts": choice.facts, "static_error": choice.static_error}
         self._write(f"{_ANALYSIS}.json", json.dumps(said).encode())
         self._write(_ANALYSIS, b"".join(encode_analysis(choice.analysis)))

@@ -78,7 +78,13 @@ class Prepared:
         return result
 
     def try_likelihood(self, draws: int = 1000) -> dict[str, Any]:
-        """How the likelihood is at draws from the prior: how many are possible, the largest, and what one costs."""
+        """How the likelihood is at draws from the prior.
+
+        Returns
+        -------
+        ``draws``, how many of them are ``possible``, ``largest_log_likelihood`` (of the ratio to no signal),
+        ``noise_log_likelihood``, and the ``microseconds`` that one takes.
+        """
         u = np.random.default_rng(self.event.sampler.seed).random((draws, len(self.cube)))
         started = time.perf_counter()
         found = self.log_likelihood(u)
@@ -98,8 +104,15 @@ class Prepared:
         return Problem(log_likelihood, len(self.cube), coordinates, self.cube.periodic(), twins_of(self.cube, sites))
 
 
-def prepare(event: Event, model: WaveformModel, folder: Folder) -> Prepared:
+def prepare(event: Event, model: WaveformModel, folder: Folder, *, signals: WaveformModel | None = None) -> Prepared:
     """Read the data, and build the likelihood, or take it from the folder.
+
+    Parameters
+    ----------
+    event, model, folder
+        What is analysed, with whose waveforms, and where it is kept.
+    signals
+        Makes the signal of an injection, where that is to be another model than the one that analyses it.
 
     Raises
     ------
@@ -113,8 +126,8 @@ def prepare(event: Event, model: WaveformModel, folder: Folder) -> Prepared:
     integrated = integrated_names(section, priors)
     quadrupole = "phase" in integrated and all(m == 2 for _, m in modes)
     cube = PriorCube(priors, event.data.trigger_time, integrated, quadrupole)
-    data = load_data(event, model, section.modes)
-    folder.claim(_fingerprint(event, data, model))
+    data = load_data(event, signals or model, section.modes)
+    folder.claim(_fingerprint(event, data, model, signals or model))
     kept = folder.analysis()
     if kept is None:
         kept = build_likelihood(event, data, cube, model)
@@ -126,9 +139,11 @@ def prepare(event: Event, model: WaveformModel, folder: Folder) -> Prepared:
     )  # fmt: skip
 
 
-def _fingerprint(event: Event, data: EventData, model: WaveformModel) -> str:
+def _fingerprint(event: Event, data: EventData, model: WaveformModel, signals: WaveformModel) -> str:
     """SHA-256 of everything that decides the posterior."""
     section = msgspec.to_builtins(event)
     section.pop("output")
     content = [section, data.digests, model.description.digest, __version__]
+    if signals is not model:
+        content.append(signals.description.digest)
     return hashlib.sha256(msgspec.json.encode(content, order="sorted")).hexdigest()

@@ -15,7 +15,10 @@ _PACKAGES = ("bilby", "numpy", "scipy", "corner", "matplotlib")
 
 
 def describe(outcome: Outcome) -> dict[str, Any]:
-    """Figures of a finished run; plain numbers, texts, lists and dictionaries."""
+    """Figures of a finished run, plain numbers, texts, lists and dictionaries: those of ``bnserve analyse --json``.
+
+    Logarithms are natural, evidences ratios to that of no signal, and times seconds.
+    """
     posterior, prepared = outcome.posterior, outcome.prepared
     shift = outcome.log_evidence - posterior.log_evidence
     return {

@@ -43,7 +43,7 @@ class Posterior:
     likelihoods: int
 
     def draw(self, count: int, seed: int = 5) -> NDArray[np.intp]:
-        """Which points are ``count`` samples of equal weight, in random order: by systematic resampling.
+        """Which points are ``count`` samples of equal weight, ``(count,)``, in random order: by systematic resampling.
 
         More than :attr:`effective` of them are no more information.
         """

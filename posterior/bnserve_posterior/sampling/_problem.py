@@ -14,6 +14,7 @@ Floats = NDArray[np.float64]
 LogLikelihood = Callable[[Floats], Floats]
 Transform = Callable[[Floats], tuple[Floats, Floats]]
 Twins = Callable[[Floats, np.random.Generator], Floats]
+"""From points ``(N, D)`` of the cube to others ``(N, D)`` where the likelihood may be much the same."""
 _LOWEST, _HIGHEST = 1e-300, 1.0 - 2.0**-53
 """First and last place between the edges, which are at infinity; numbers near 0 are finer than those near 1."""
 

@@ -96,7 +96,7 @@ def run(options: argparse.Namespace) -> int:
         print_json(summary(found) | {"output": str(options.output)})
         return 0
     for name, value in summary(found).items():
-        print(f"{name:32s} {value:,.4g}")
+        print(f"{name:44s} {value:{',' if isinstance(value, int) else '.4g'}}")
     print(f"Forecasts: {options.output}")
     return 0
 
