@@ -1,20 +1,27 @@
 """``bnserve analyse``: from a configuration to a result that bilby reads and a page, also after it was killed."""
 
+import contextlib
+import importlib.metadata
 import json
+import os
 import re
 import resource
+import shutil
 import signal
 import subprocess
 import sys
 import time
+import tomllib
 
 import bilby
 import numpy as np
 import pytest
+from packaging.requirements import Requirement
 
 from bnserve_posterior.events import OutputSection
 from bnserve_posterior.running import Folder
 from bnserve_service.cli import main
+from tests.architecture.rooms import ROOT, run_python
 from tests.posterior.networks import TOML
 
 pytestmark = pytest.mark.filterwarnings("ignore:.*Global meta data:UserWarning")
@@ -200,6 +207,60 @@ def test_hdf5_is_read_as_json_is(finished, event, tmp_path):
     assert there.search_parameter_keys == here.search_parameter_keys
     assert there.log_bayes_factor == here.log_bayes_factor
     assert (there.posterior["chirp_mass"].to_numpy() == here.posterior["chirp_mass"].to_numpy()).all()
+
+
+def test_a_run_needs_nothing_that_the_extra_does_not_bring(finished, tmp_path):
+    """bilby imports some of what it needs late, astropy among it, and does not bring it."""
+    folder, _, path, _ = finished
+    shutil.copytree(folder, tmp_path / "run")
+    brought = declared("protocol", "model_store", "surrogate", "inference", "posterior", "service")
+    installed = importlib.metadata.packages_distributions()
+    hidden = [name for name, of in installed.items() if not {canonical(one) for one in of} & brought]
+    assert {"lal", "pytest"} <= {*hidden}
+    assert not {"astropy", "bilby", "numpy"} & {*hidden}
+    arguments = "analyse", str(path), "--output", str(tmp_path / "run"), "--resume", "--no-progress"
+    code = HIDDEN.format(hidden=hidden, arguments=arguments)
+    assert "Written: " in run_python(code, env=os.environ)
+
+
+HIDDEN = """
+import sys
+
+class Without:
+    def __init__(self, finder):
+        self.finder = finder
+
+    def __getattr__(self, name):
+        return getattr(self.finder, name)
+
+    def find_spec(self, name, *arguments):
+        return None if name.partition(".")[0] in {hidden} else self.finder.find_spec(name, *arguments)
+
+sys.meta_path[:] = map(Without, sys.meta_path)
+from bnserve_service.cli import main
+sys.exit(main({arguments}))
+"""
+"""A command in an interpreter where these modules are not to be found."""
+
+
+def canonical(name):
+    return re.sub("[-_.]+", "-", name).lower()
+
+
+def declared(*rooms):
+    """Distributions that installing rooms brings, without extras, as far as they are installed here."""
+    waiting = []
+    for room in rooms:
+        waiting += tomllib.loads((ROOT / room / "pyproject.toml").read_text())["project"]["dependencies"]
+    found = set()
+    while waiting:
+        one = Requirement(waiting.pop())
+        if canonical(one.name) in found or (one.marker and not one.marker.evaluate({"extra": ""})):
+            continue
+        found.add(canonical(one.name))
+        with contextlib.suppress(importlib.metadata.PackageNotFoundError):
+            waiting += importlib.metadata.requires(one.name) or []
+    return found
 
 
 def test_an_extra_that_is_missing_is_one_sentence(event, capsys, monkeypatch):

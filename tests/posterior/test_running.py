@@ -8,7 +8,7 @@ from scipy.special import logsumexp
 from benchmarks.gw170817.setting import DATA
 from bnserve_inference import DetectorData, detector_strain
 from bnserve_posterior.events import EventInvalid, OutputExists
-from bnserve_posterior.report._figures import last_seconds, whitened
+from bnserve_posterior.report._figures import interval, last_seconds, whitened
 from bnserve_posterior.results import bilby_result, samples_of_posterior
 from bnserve_posterior.running import Folder, meta_data, prepare, run
 from bnserve_posterior.running._threads import in_threads
@@ -180,3 +180,13 @@ def test_a_signal_may_be_of_another_model_than_the_one_that_analyses_it(model, t
     other = prepare(found, model, Folder(found.output, force=True), signals=Other())
     assert other.model is model
     assert other.analysis.digest == own.analysis.digest
+
+
+@pytest.mark.parametrize(
+    ("low", "middle", "high", "text"),
+    [(1.19738, 1.19749, 1.19772, "$1.19749^{+0.00023}_{-0.00011}$"), (93.0, 253.0, 460.0, "$253^{+207}_{-160}$"),
+     (-0.446, -0.371, -0.316, "$-0.371^{+0.055}_{-0.075}$")],
+)  # fmt: skip
+def test_intervals_have_as_many_digits_as_are_known(low, middle, high, text):
+    x = np.linspace(0.0, 1.0, 100_001)
+    assert interval(np.interp(x, [0.0, 0.05, 0.5, 0.95, 1.0], [low, low, middle, high, high])) == text

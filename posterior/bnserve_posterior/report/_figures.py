@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -38,6 +39,7 @@ _BAND = (30.0, 400.0)
 """Hz of whitened data that are shown: where signals of neutron stars are, and most of the noise is not."""
 _LASTS = 128.0
 """Seconds; no signal of two neutron stars is longer from the lowest of these frequencies on."""
+_INTERVAL = (0.05, 0.5, 0.95)
 _CURVES = 20
 """Samples whose signals are shown."""
 _NEEDED = "The page of a run", "analyse"
@@ -73,14 +75,22 @@ def corner_figure(outcome: Outcome) -> Any:
     figure = corner.corner(
         np.stack(list(columns.values()), axis=1), labels=[_SHOWN[name] for name in columns], truths=truths,
         levels=(0.5, 0.9), smooth=1.0, bins=30, color=_BLUE, truth_color=_ORANGE, plot_datapoints=False,
-        plot_density=False, quantiles=(0.05, 0.5, 0.95), max_n_ticks=3, labelpad=0.15, show_titles=True,
-        title_fmt=".4g", title_quantiles=(0.05, 0.5, 0.95), title_kwargs={"fontsize": 10},
-        label_kwargs={"fontsize": 12},
+        plot_density=False, quantiles=_INTERVAL, max_n_ticks=3, labelpad=0.15, label_kwargs={"fontsize": 12},
         fig=require("matplotlib.figure", *_NEEDED).Figure(figsize=(1.9 * len(columns), 1.9 * len(columns))),
     )  # fmt: skip
     for axis in figure.axes:
         axis.tick_params(labelsize=8)
+    for axis, (name, values) in zip(figure.axes[:: len(columns) + 1], columns.items(), strict=True):
+        axis.set_title(f"{_SHOWN[name]} = {interval(values)}", fontsize=10)
     return figure
+
+
+def interval(values: Floats) -> str:
+    """Median and 90 % of samples, ``(N,)``, with two digits of the smaller distance, as mathematics."""
+    low, middle, high = np.quantile(values, _INTERVAL)
+    smaller = min(high - middle, middle - low)
+    digits = max(0, 1 - math.floor(math.log10(smaller))) if smaller > 0.0 else 3
+    return f"${middle:.{digits}f}^{{+{high - middle:.{digits}f}}}_{{-{middle - low:.{digits}f}}}$"
 
 
 def _truths(outcome: Outcome, names: list[str]) -> list[float | None] | None:

@@ -84,7 +84,7 @@ def _intervals(outcome: Outcome) -> list[tuple[str, ...]]:
 
 def _image(caption: str, figure: Any) -> str:
     buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", metadata={"Software": None})
+    figure.savefig(buffer, format="png", bbox_inches="tight", metadata={"Software": None})
     encoded = base64.b64encode(buffer.getvalue()).decode()
     text = html.escape(caption)
     return f'<figure><img src="data:image/png;base64,{encoded}" alt="{text}"><figcaption>{text}</figcaption></figure>'
