@@ -288,12 +288,19 @@ pesummary() {
     check "pesummary 1.8.1" pesummary_reads "$folder/pesummary-run_result.json"
 }
 
-# UM-Bridge's clients for PyMC and emcee, as the guide has them.
+# UM-Bridge's clients for PyMC and emcee, as the guide has them; those for C++ and R, from a checkout of its repository.
 
 umbridge() {
     environment umbridge-1.2.10 umbridge==1.2.10 pymc emcee ./protocol ./model_store ./surrogate ./inference ./service ./client
     serve
     page docs/guides/umbridge.md
+    if [ -e "${UMBRIDGE:-}/lib/umbridge.h" ]; then
+        check "umbridge, C++ and R" "$python" tests/programs/umbridge_clients.py "$address" "$UMBRIDGE" "$cache/umbridge-clients"
+    else
+        say "umbridge, C++ and R: no checkout of UM-Bridge at '${UMBRIDGE:-}': git clone"
+        echo "   https://github.com/UM-Bridge/umbridge, and give its path: UMBRIDGE=path/of/umbridge bash tests/programs.sh umbridge"
+        summary+=("  umbridge, C++ and R                          left out")
+    fi
     stop
 }
 

@@ -54,22 +54,29 @@ def _in_the_service(count: int) -> tuple[float, int]:
         return time.perf_counter() - started, int((found.status == RowStatus.OK).sum())
 
 
-def _beside_gwfish(checkout: str | None, count: int) -> str:
-    """What the comparison prints; or how to have it."""
+def _with_gwfish() -> str:
+    """The python of tests/programs.sh gwfish, where there is one."""
+    own = Path(".venv-programs/gwfish/bin/python")
+    return str(own) if own.exists() else sys.executable
+
+
+def _beside_gwfish(checkout: str | None, python: str, count: int) -> tuple[str, bool]:
+    """What the comparison prints, or how to have it; and whether it failed."""
     if not checkout or not (Path(checkout) / "GWFish" / "modules" / "waveforms.py").is_file():
         return (
             "GWFish: there is no checkout of it here, and the index has nothing by its name. git clone\n"
-            "https://github.com/janosch314/GWFish, and give its path with --gwfish DIR or $GWFISH; it needs numpy<2,\n"
-            "pandas, astropy, lalsuite and jplephem beside bnserve: tests/programs.sh gwfish makes an environment,\n"
-            f"and runs {_SCRIPT} in it."
-        )
+            "https://github.com/janosch314/GWFish, and give its path with --gwfish DIR or $GWFISH. It needs numpy<2,\n"
+            "pandas, astropy, lalsuite and jplephem beside bnserve: GWFISH=DIR bash tests/programs.sh gwfish makes an\n"
+            f"environment in .venv-programs/gwfish, whose python is taken here (--python for another), and runs {_SCRIPT}."
+        ), False
     with bnserve_server() as (url, _):
-        command = [sys.executable, _SCRIPT, url, str(count)]
-        path = os.pathsep.join([checkout, os.environ.get("PYTHONPATH", "")])
+        command = [python, _SCRIPT, url, str(count)]
+        path = os.pathsep.join([str(Path(checkout).resolve()), os.environ.get("PYTHONPATH", "")])
         done = subprocess.run(
             command, env=os.environ | {"PYTHONPATH": path}, capture_output=True, text=True, check=False
         )
-    return done.stdout + done.stderr[-2000:]
+    failed = done.returncode != 0
+    return done.stdout + (done.stderr[-2000:] if failed else ""), failed
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -79,6 +86,7 @@ def main(arguments: list[str] | None = None) -> int:
     parser.add_argument("--rounds", type=int, default=5, help="(5)")
     parser.add_argument("--count", type=int, default=_WHOLE, help="binaries of the service (100000)")
     parser.add_argument("--gwfish", default=os.environ.get("GWFISH"), metavar="DIR", help="a checkout ($GWFISH)")
+    parser.add_argument("--python", default=_with_gwfish(), help="one with what GWFish needs (%(default)s)")
     parser.add_argument("--binaries", type=int, default=100, help="beside GWFish's (100)")
     options = parser.parse_args(arguments)
     model = Model.load(options.model)
@@ -91,10 +99,11 @@ def main(arguments: list[str] | None = None) -> int:
     print("| | goal | must | measured |\n|---|---|---|---|")
     for name, (goal, must) in _BARS.items():
         print(f"| {name} | {goal:,.0f} | {must:,.0f} | {figures[name]:,.0f} |")
-    print(f"\n{_beside_gwfish(options.gwfish, options.binaries)}")
+    told, failed = _beside_gwfish(options.gwfish, options.python, options.binaries)
+    print(f"\n{told}")
     print("Beside sampled posteriors: python -m benchmarks.fisher.posteriors")
     missed = [name for name, (goal, must) in _BARS.items() if (figures[name] - must) * (goal - must) < 0.0]
-    return 1 if missed else 0
+    return 1 if missed or failed else 0
 
 
 if __name__ == "__main__":

@@ -27,6 +27,7 @@ RUNS = {
     "dynesty in batches": ("with_dynesty.py", "--batches"),
     "bilby": ("with_bilby.py",),
     "NUTS": ("with_nuts.py",),
+    "NumPyro": ("with_numpyro.py",),
 }
 IN_BATCHES = [name for name in RUNS if name != "dynesty in processes"]
 OUTAGE_SECONDS = 3.0
