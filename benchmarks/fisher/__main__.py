@@ -67,7 +67,8 @@ def _beside_gwfish(checkout: str | None, python: str, count: int) -> tuple[str, 
             "GWFish: there is no checkout of it here, and the index has nothing by its name. git clone\n"
             "https://github.com/janosch314/GWFish, and give its path with --gwfish DIR or $GWFISH. It needs numpy<2,\n"
             "pandas, astropy, lalsuite and jplephem beside bnserve: GWFISH=DIR bash tests/programs.sh gwfish makes an\n"
-            f"environment in .venv-programs/gwfish, whose python is taken here (--python for another), and runs {_SCRIPT}."
+            "environment in .venv-programs/gwfish, whose python is taken here (--python for another), and runs\n"
+            f"{_SCRIPT}, too."
         ), False
     with bnserve_server() as (url, _):
         command = [python, _SCRIPT, url, str(count)]
