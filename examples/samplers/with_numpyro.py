@@ -1,6 +1,6 @@
 """NumPyro's no-U-turn sampler through a running server, whose likelihood is a function in JAX.
 
-pip install numpyro . ./jax_model
+pip install numpyro ./protocol ./model_store ./surrogate ./inference ./client ./jax_model
 python examples/samplers/with_numpyro.py http://127.0.0.1:8000
 
 ``bnserve_jax.log_likelihood_function`` is a likelihood without its weights: the server evaluates it, with its gradient.
