@@ -10,13 +10,14 @@ from __future__ import annotations
 
 import functools
 import inspect
+import math
 from collections.abc import Collection, Mapping
 from typing import Any, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol._errors import FieldError, InvalidParameters
+from bnserve_protocol._errors import BnserveError, FieldError, InvalidParameters, InvalidRequest
 from bnserve_protocol._foreign import FORMULAS, SAME, hint_for
 from bnserve_protocol._nearest import nearest_name
 
@@ -61,6 +62,40 @@ def as_real_number(value: Any, unit: str | None) -> float:
     if array.ndim:
         raise NotNumbers(f"is an array of shape {array.shape} and not one number")
     return float(array)
+
+
+def as_positive_number(
+    name: str, value: Any, unit: str, error: type[BnserveError] = InvalidRequest, *, of: str = "", otherwise: str = ""
+) -> float:
+    """A positive, finite number.
+
+    Parameters
+    ----------
+    name
+        What it is called, and the parameter that the error names.
+    value, unit
+        As in :func:`as_real_numbers`.
+    error
+        What is raised.
+    of, otherwise
+        For the message: what it is of, and what else it may be.
+
+    Raises
+    ------
+    BnserveError
+        ``error``: it is none.
+    """
+    why = ""
+    try:
+        number = as_real_number(value, unit)
+    except NotNumbers as refused:
+        number, why = math.nan, f": it {refused}"
+    if not (math.isfinite(number) and number > 0.0):
+        raise error(
+            f"'{name}'{of} must be a positive, finite number of {unit}{otherwise}; got {repr(value)[:80]}{why}.",
+            errors=[FieldError(reason="not positive and finite", parameter=name)],
+        )
+    return number
 
 
 def as_numbers(value: Any, unit: str | None) -> NDArray[Any]:

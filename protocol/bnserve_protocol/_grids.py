@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bnserve_protocol._errors import FieldError, InvalidFrequencies, TooLarge
-from bnserve_protocol._given import NotNumbers, as_real_number, as_real_numbers, suggesting
+from bnserve_protocol._given import NotNumbers, as_positive_number, as_real_numbers, suggesting
 
 
 @suggesting
@@ -33,7 +33,8 @@ class UniformGrid:
 
     def __post_init__(self) -> None:
         for name in ("f_min", "f_max", "delta_f"):
-            object.__setattr__(self, name, _positive(name, getattr(self, name)))
+            number = as_positive_number(name, getattr(self, name), "Hz", InvalidFrequencies, of=" of a uniform grid")
+            object.__setattr__(self, name, number)
         if self.f_max < self.f_min:
             raise InvalidFrequencies(f"'f_max' ({self.f_max} Hz) is below 'f_min' ({self.f_min} Hz).")
         if not self.f_min + self.delta_f > self.f_min or (self.f_max - self.f_min) / self.delta_f > 2**53:
@@ -61,20 +62,6 @@ class UniformGrid:
     def at(self, places: NDArray[Any]) -> NDArray[np.float64]:
         """The frequencies in Hz at some places of the grid, counted from 0."""
         return self.f_min + self.delta_f * places
-
-
-def _positive(name: str, value: Any) -> float:
-    why = ""
-    try:
-        number = as_real_number(value, "Hz")
-    except NotNumbers as error:
-        number, why = math.nan, f": it {error}"
-    if not (math.isfinite(number) and number > 0.0):
-        raise InvalidFrequencies(
-            f"'{name}' of a uniform grid must be a positive, finite number of Hz; got {repr(value)[:80]}{why}.",
-            errors=[FieldError(reason="not positive and finite", parameter=name)],
-        )
-    return number
 
 
 GridLike: TypeAlias = ArrayLike | UniformGrid

@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import inspect
-import math
 from collections.abc import Sequence
-from typing import Any, Literal, TypeAlias, get_args
+from typing import Literal, TypeAlias, get_args
 
 import msgspec
 import numpy as np
 from numpy.typing import DTypeLike
 
 from bnserve_protocol._errors import FieldError, InvalidRequest
-from bnserve_protocol._given import NotNumbers, as_real_number
+from bnserve_protocol._given import as_positive_number
 from bnserve_protocol._modes import Mode, as_modes
 
 DtypeName: TypeAlias = Literal["complex128", "complex64"]
@@ -101,21 +100,9 @@ class EvaluationOptions(msgspec.Struct, frozen=True, kw_only=True, forbid_unknow
         if self.modes is not None:
             msgspec.structs.force_setattr(self, "modes", as_modes(self.modes))
         if self.reference_frequency is not None:
-            msgspec.structs.force_setattr(self, "reference_frequency", _frequency(self.reference_frequency))
-
-
-def _frequency(value: Any) -> float:
-    why = ""
-    try:
-        number = as_real_number(value, "Hz")
-    except NotNumbers as error:
-        number, why = math.nan, f": it {error}"
-    if not (math.isfinite(number) and number > 0.0):
-        raise InvalidRequest(
-            f"reference_frequency must be a positive, finite number of Hz, or None; got {repr(value)[:80]}{why}.",
-            errors=[FieldError(reason="not positive and finite", parameter="reference_frequency")],
-        )
-    return number
+            name = "reference_frequency"
+            frequency = as_positive_number(name, self.reference_frequency, "Hz", otherwise=", or None")
+            msgspec.structs.force_setattr(self, name, frequency)
 
 
 _KINDS = inspect.get_annotations(EvaluationOptions, eval_str=True)

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from bnserve_protocol._batches import BatchLike, ParameterBatch
 from bnserve_protocol._errors import FieldError, InvalidRequest, TooLarge
 from bnserve_protocol._fading import Asked, Beginning, from_duration, from_frequency
-from bnserve_protocol._given import NotNumbers, as_real_number
+from bnserve_protocol._given import as_positive_number
 from bnserve_protocol._grids import UniformGrid
 from bnserve_protocol._options import DEFAULT_OPTIONS, EvaluationOptions, check_options, chosen_modes
 from bnserve_protocol._parameters import ParametersWithExtrinsic
@@ -82,15 +82,15 @@ def time_domain_steps(
     For whoever cannot call it, and for models of a service, whose ``limits`` no question exceeds.
     """
     check_options(options)
-    rate = _positive("sampling_rate", sampling_rate, "Hz")
+    rate = as_positive_number("sampling_rate", sampling_rate, "Hz")
     if (f_min is None) == (duration is None):
         raise InvalidRequest("A signal in time begins at 'f_min' (Hz) or lasts 'duration' (s): give one of the two.")
     batch = ParameterBatch.coerce(parameters)
     merger = msgspec.structs.replace(options, alignment="merger")
     if f_min is not None:
-        begin = yield from from_frequency(description, batch, _positive("f_min", f_min, "Hz"), merger)
+        begin = yield from from_frequency(description, batch, as_positive_number("f_min", f_min, "Hz"), merger)
     else:
-        begin = yield from from_duration(description, batch, _positive("duration", duration, "s"), merger)
+        begin = yield from from_duration(description, batch, as_positive_number("duration", duration, "s"), merger)
     axis = _axis(rate, batch, begin)
     try:
         series = yield from _series(description, batch, begin, axis, merger, limits)
@@ -100,20 +100,6 @@ def time_domain_steps(
             "higher 'f_min', or at a lower 'sampling_rate'."
         ) from error
     return series.first() if isinstance(parameters, ParametersWithExtrinsic) else series
-
-
-def _positive(name: str, value: Any, unit: str) -> float:
-    why = ""
-    try:
-        number = as_real_number(value, unit)
-    except NotNumbers as error:
-        number, why = math.nan, f": it {error}"
-    if not (math.isfinite(number) and number > 0.0):
-        raise InvalidRequest(
-            f"'{name}' must be a positive, finite number ({unit}); got {repr(value)[:80]}{why}.",
-            errors=[FieldError(reason="not positive and finite", parameter=name)],
-        )
-    return number
 
 
 def _axis(rate: float, batch: ParameterBatch, begin: Beginning) -> _Axis:

@@ -88,7 +88,7 @@ def test_a_reference_frequency_is_a_frequency():
     assert EvaluationOptions(reference_frequency=0.02 * u.kHz).reference_frequency == 20.0
     for value in (0.0, -20.0, np.nan, np.inf, "20", [20.0, 30.0], True, 20.0 * u.s):
         with pytest.raises(
-            InvalidRequest, match="reference_frequency must be a positive, finite number of Hz, or None"
+            InvalidRequest, match="'reference_frequency' must be a positive, finite number of Hz, or None"
         ):
             EvaluationOptions(reference_frequency=value)
 

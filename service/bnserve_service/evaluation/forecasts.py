@@ -117,11 +117,8 @@ class Forecasts(Kind[ForecastQuestion]):
         if asked.network not in (None, f"sha256:{stored.sha256}"):
             raise InvalidRequest("The body names another network than the path; they must be the same.")
         derivatives = asked.output != "snr"
-        if derivatives and not hasattr(model.model, "predict_derivatives"):
-            raise InvalidRequest(
-                f"The model '{model.model.description.name}' does not say that it has derivatives, which forecasts are "
-                "made of: ask another one."
-            )
+        if derivatives:
+            model.check_derivatives("ask another one, or for signal-to-noise ratios alone")
         rows, options = len(asked.batch), asked.options
         modes: Sequence[Mode] = model.model.description.modes if options.modes is None else options.modes
         work = forecast_work(stored.description, modes, derivatives=derivatives)

@@ -147,10 +147,8 @@ class Likelihoods(Kind[LikelihoodQuestion]):
         analysis, batch, output = stored.analysis, asked.batch, asked.output
         if output == "draws" and not integrated_names(analysis.settings):
             raise InvalidRequest("The analysis integrates over nothing that could be drawn: ask for its products.")
-        if output == "gradients" and not hasattr(model.model, "predict_derivatives"):
-            raise InvalidRequest(
-                f"The model '{model.identity.name}' does not say that it has derivatives: ask for log-likelihoods."
-            )
+        if output == "gradients":
+            model.check_derivatives("ask for log-likelihoods")
         samples = likelihood_samples(analysis)
         _check_sizes(len(batch), samples, self._limits)
         nodes = tuple((name, array.shape[1]) for name, array in batch.calibration_amplitude.items())

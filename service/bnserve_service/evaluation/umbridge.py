@@ -166,23 +166,14 @@ class Evaluate(Likelihoods):
         """As :meth:`Likelihoods.read`; who asks for what there is not is told that first, whatever else is wrong."""
         stored = self._analyses.get(request.owner, self.subject(request))
         check_model_of(stored.analysis, model.model.description)
-        if self.wanted == "gradients" and not has_gradients(model):
+        if self.wanted == "gradients" and not model.has_derivatives:
             raise UnsupportedFeature(
                 f"The model '{model.identity.name}' does not say that it has derivatives: use Evaluate."
             )
         asked = decode(body, self.form)
         likelihood = LikelihoodRequest(batch=sample(stored, asked), output=self.wanted)
-        self.check(asked)
+        asked.check()
         return UmBridgeQuestion(asked=asked, **self._question(model, stored, likelihood, request))
-
-    def check(self, asked: UmBridgeEvaluateRequest) -> None:
-        """Look at what a body has beside a sample.
-
-        Raises
-        ------
-        InvalidRequest
-            It asks for an input or output that there is not, or has too many numbers or too few.
-        """
 
     def encode(self, question: LikelihoodQuestion, arrays: Arrays) -> list[Buffer]:
         """The answer."""
@@ -211,11 +202,6 @@ class Gradient(Evaluate):
     form = UmBridgeGradientRequest
     wanted = "gradients"
 
-    def check(self, asked: UmBridgeEvaluateRequest) -> None:
-        """As :meth:`Evaluate.check`."""
-        assert isinstance(asked, UmBridgeGradientRequest)
-        _check(asked.out_wrt, asked.in_wrt, "sens", asked.sens, 1)
-
     def output(self, question: UmBridgeQuestion, arrays: Arrays) -> list[Any]:
         """The gradient in what the input has."""
         assert isinstance(question.asked, UmBridgeGradientRequest)
@@ -238,27 +224,10 @@ class ApplyJacobian(Evaluate):
     form = UmBridgeApplyJacobianRequest
     wanted = "gradients"
 
-    def check(self, asked: UmBridgeEvaluateRequest) -> None:
-        """As :meth:`Evaluate.check`."""
-        assert isinstance(asked, UmBridgeApplyJacobianRequest)
-        _check(asked.out_wrt, asked.in_wrt, "vec", asked.vec, len(asked.input[0]))
-
     def output(self, question: UmBridgeQuestion, arrays: Arrays) -> list[Any]:
         """The product."""
         assert isinstance(question.asked, UmBridgeApplyJacobianRequest)
         return [float(_gradient(question, arrays) @ question.asked.vec)]
-
-
-def has_gradients(model: LoadedModel) -> bool:
-    """Whether likelihoods with this model have gradients."""
-    return hasattr(model.model, "predict_derivatives")
-
-
-def _check(out_wrt: int, in_wrt: int, name: str, numbers: list[float], length: int) -> None:
-    if (out_wrt, in_wrt) != (0, 0):
-        raise InvalidRequest("There is one input vector and one output vector: outWrt and inWrt are 0.")
-    if len(numbers) != length:
-        raise InvalidRequest(f"'{name}' has {length} numbers here; got {len(numbers)}.")
 
 
 def _gradient(question: UmBridgeQuestion, arrays: Arrays) -> NDArray[np.float64]:

@@ -7,6 +7,7 @@ from typing import Annotated, Any, TypeVar
 
 import msgspec
 
+from bnserve_protocol import InvalidRequest
 from bnserve_protocol.wire import JSON, refuse_repeated_keys, undecodable
 from bnserve_service.errors import UMBRIDGE
 
@@ -58,41 +59,67 @@ class UmBridgeEvaluateRequest(UmBridgeModelRequest, frozen=True, forbid_unknown_
 
     input: list[list[float]]
 
+    def check(self) -> None:
+        """Look at what there is beside a sample, which was looked at.
 
-class UmBridgeGradientRequest(UmBridgeEvaluateRequest, frozen=True, rename="camel"):
+        Raises
+        ------
+        InvalidRequest
+            An input or output that there is not, too many numbers or too few.
+        """
+
+
+class UmBridgeDerivativeRequest(UmBridgeEvaluateRequest, frozen=True, rename="camel"):
+    """One sample, for derivatives of one output with respect to one input vector.
+
+    Parameters
+    ----------
+    outWrt
+        Of which output: 0, there is one.
+    inWrt
+        With respect to which input vector: 0, there is one.
+    """
+
+    out_wrt: int
+    in_wrt: int
+
+    def _check(self, name: str, numbers: list[float], length: int) -> None:
+        if (self.out_wrt, self.in_wrt) != (0, 0):
+            raise InvalidRequest("There is one input vector and one output vector: outWrt and inWrt are 0.")
+        if len(numbers) != length:
+            raise InvalidRequest(f"'{name}' has {length} numbers here; got {len(numbers)}.")
+
+
+class UmBridgeGradientRequest(UmBridgeDerivativeRequest, frozen=True, rename="camel"):
     """One sample, for its gradient.
 
     Parameters
     ----------
-    outWrt
-        Of which output: 0, there is one.
-    inWrt
-        With respect to which input vector: 0, there is one.
     sens
         One number, by which the gradient is multiplied.
     """
 
-    out_wrt: int
-    in_wrt: int
     sens: list[float]
 
+    def check(self) -> None:
+        """As of any sample."""
+        self._check("sens", self.sens, 1)
 
-class UmBridgeApplyJacobianRequest(UmBridgeEvaluateRequest, frozen=True, rename="camel"):
+
+class UmBridgeApplyJacobianRequest(UmBridgeDerivativeRequest, frozen=True, rename="camel"):
     """One sample, for its derivative along a direction.
 
     Parameters
     ----------
-    outWrt
-        Of which output: 0, there is one.
-    inWrt
-        With respect to which input vector: 0, there is one.
     vec
         The direction, as long as the input.
     """
 
-    out_wrt: int
-    in_wrt: int
     vec: list[float]
+
+    def check(self) -> None:
+        """As of any sample."""
+        self._check("vec", self.vec, len(self.input[0]))
 
 
 class UmBridgeInfo(msgspec.Struct, frozen=True, rename="camel"):

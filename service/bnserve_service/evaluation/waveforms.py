@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -121,7 +122,7 @@ class Waveforms(Kind[WaveformQuestion]):
         arrays = _ARRAYS.get(asked.output, count)
         if asked.output == "derivatives":
             arrays = count * (1 + len(DERIVATIVE_NAMES))
-            _refuse_derivatives(asked)
+            _check_derivatives(model, asked)
         _check_sizes(rows, points, arrays if asked.output in _BY_MODES else 1, self._limits, request.answer_type)
         work = int(rows * (points + ROW_COST) * (1.0 + (count - 1) * FURTHER_MODE))
         if asked.output == "derivatives":
@@ -233,15 +234,8 @@ def _evaluate_output(
     return {"h": one.h, "plus": one.plus, "cross": one.cross}, one
 
 
-def _differentiated(
-    model: ServedModel, question: WaveformQuestion, batch: ParameterBatch
-) -> tuple[Arrays, Derivatives]:
-    differentiate = getattr(model, "predict_derivatives", None)
-    if differentiate is None:
-        raise InvalidRequest(
-            f"The model '{model.description.name}' does not say that it has derivatives: ask for its modes."
-        )
-    found: Derivatives = differentiate(question.grid, batch, options=question.options)
+def _differentiated(model: Any, question: WaveformQuestion, batch: ParameterBatch) -> tuple[Arrays, Derivatives]:
+    found: Derivatives = model.predict_derivatives(question.grid, batch, options=question.options)
     arrays = _of_modes(found)
     for place, mode in enumerate(found.modes):
         changes, (plus, cross) = derivative_names(mode)
@@ -250,8 +244,9 @@ def _differentiated(
     return arrays, found
 
 
-def _refuse_derivatives(asked: WaveformRequest) -> None:
-    """What has no derivatives, before the model is asked."""
+def _check_derivatives(model: LoadedModel, asked: WaveformRequest) -> None:
+    """Refuse what has no derivatives, before the model is asked."""
+    model.check_derivatives("ask for its modes")
     if asked.dtype != "complex128":
         raise InvalidRequest(
             "Derivatives are complex128: leave 'dtype' out.",

@@ -11,7 +11,15 @@ from typing import Any, Protocol
 
 import msgspec
 
-from bnserve_protocol import DigestUnknown, ModelIdentity, ModelLoading, ModelUnknown, WaveformModel, nearest_name
+from bnserve_protocol import (
+    DigestUnknown,
+    InvalidRequest,
+    ModelIdentity,
+    ModelLoading,
+    ModelUnknown,
+    WaveformModel,
+    nearest_name,
+)
 from bnserve_service.shared.folder import models_file
 
 DEFAULT_LABEL = "stable"
@@ -73,6 +81,16 @@ class LoadedModel:
 
     identity: ModelIdentity
     model: ServedModel
+
+    @property
+    def has_derivatives(self) -> bool:
+        """Whether gradients and forecasts can be made of it."""
+        return hasattr(self.model, "predict_derivatives")
+
+    def check_derivatives(self, advice: str) -> None:
+        """Refuse a model without them: InvalidRequest, with what to do."""
+        if not self.has_derivatives:
+            raise InvalidRequest(f"The model '{self.identity.name}' does not say that it has derivatives: {advice}.")
 
 
 @dataclass(frozen=True, slots=True)

@@ -151,7 +151,7 @@ _WAVEFORMS = {
         "cross_22": {"description": "[N], complex, with 'h_22': what it counts in h_cross"},
         "estimated_mismatch": _VECTOR | {"description": "[N], the model's own estimate, if it has one"},
     },
-    "patternProperties": {r"^h_\d\d$": _COMPLEX, r"^plus_\d\d$": _VECTOR},
+    "patternProperties": {r"^h_\d\d(_\w+)?$": _COMPLEX, r"^plus_(slope_)?\d\d$": _VECTOR},
 }
 
 
@@ -203,6 +203,7 @@ def schemas() -> dict[str, Any]:
         "status": _array_or(_list({"enum": [0, 1, 2, 3, 4]})),
         "d_inner_h": _COMPLEX,
         "h_inner_h": _array_or(_PART),
+        "gradient": _array_or(_PART),
         **dict.fromkeys(DRAWN_NAMES, _array_or(_list({"type": ["number", "null"]}))),
     }
     whole = _parameter_forms(LIKELIHOOD_NAMES, ("reference_phase",), ParametersWithExtrinsic, LikelihoodParameters)

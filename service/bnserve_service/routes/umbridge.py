@@ -10,7 +10,7 @@ from fastapi import APIRouter, Request, Response
 from bnserve_protocol import check_model_of
 from bnserve_protocol.wire import JSON
 from bnserve_service.errors import UnsupportedFeature
-from bnserve_service.evaluation.umbridge import ADVICE, address, has_gradients, inputs, names
+from bnserve_service.evaluation.umbridge import ADVICE, address, inputs, names
 from bnserve_service.evaluation.umbridge_bodies import (
     PREFIX,
     PROTOCOL_VERSION,
@@ -72,8 +72,8 @@ def umbridge_router(registry: Registry, analyses: AnalysisStore, bodies: BodyRea
     async def umbridge_model_info(request: Request) -> Response:
         """What a model can be asked for."""
         _, model, _ = await read(request, UmBridgeModelRequest)
-        gradients = has_gradients(model)
-        return _answer(UmBridgeModelInfo(UmBridgeSupport(True, gradients, gradients, False)))
+        derivatives = model.has_derivatives
+        return _answer(UmBridgeModelInfo(UmBridgeSupport(True, derivatives, derivatives, False)))
 
     @router.post(f"{PREFIX}InputSizes", responses=json_answer(UmBridgeInputSizes), openapi_extra=json_body("Model"))
     async def umbridge_input_sizes(request: Request) -> Response:
