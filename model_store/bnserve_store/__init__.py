@@ -7,9 +7,10 @@ whole, or not at all.
 from bnserve_store._files import SCHEMA_VERSION, FileEntry, Manifest, TensorEntry
 from bnserve_store._publishing import check_writable
 from bnserve_store._reading import Artifact
+from bnserve_store._replacing import replacing
 from bnserve_store._store import SHIPPED_MODELS, ModelStore
 
 __all__ = [
     "SCHEMA_VERSION", "SHIPPED_MODELS", "Artifact", "FileEntry", "Manifest", "ModelStore", "TensorEntry",
-    "check_writable",
+    "check_writable", "replacing",
 ]  # fmt: skip  # each has a line of its own above

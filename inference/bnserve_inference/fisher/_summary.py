@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import RowStatus, require
+from bnserve_store import replacing
 
 _LOUD = (8.0, 12.0, 100.0)
 _PANELS = {
@@ -76,9 +77,5 @@ def draw_forecasts(found: Mapping[str, NDArray[Any]], path: Path) -> None:
         axes.set_xlabel(label)
         axes.set_ylabel("binaries that are louder" if name == "snr" else f"of those above {_LOUD[1]:g}, with less")
         axes.grid(visible=True, alpha=0.3)
-    draft = path.with_name(f".draft-{path.name}")
-    try:
-        figure.savefig(draft, dpi=120)
-        draft.replace(path)
-    finally:
-        draft.unlink(missing_ok=True)
+    with replacing(path) as temporary:
+        figure.savefig(temporary, format=path.suffix.removeprefix(".") or "png", dpi=120)

@@ -1,11 +1,9 @@
-"""Files written whole or not at all, and the directory of a construction: what is finished survives anything."""
+"""Files of bases, and the directory of a construction: what is finished survives anything."""
 
 from __future__ import annotations
 
 import contextlib
 import fcntl
-import os
-import secrets
 import time
 import zipfile
 from collections.abc import Iterator
@@ -15,6 +13,7 @@ from typing import Any
 
 import numpy as np
 
+import bnserve_store
 from bnserve_inference.roq._errors import BasisUnwritable
 
 _EVERY_SECONDS = 5.0
@@ -23,29 +22,17 @@ _EVERY_SECONDS = 5.0
 
 @contextlib.contextmanager
 def replacing(path: Path) -> Iterator[Path]:
-    """A temporary file beside ``path`` that takes its place when the block ends well: flushed, then renamed.
+    """As :func:`bnserve_store.replacing`, in a folder that is made if need be.
 
     Raises
     ------
     BasisUnwritable
         No room, no permission, and the like; nothing half-written is left.
     """
-    # Not by the number of the process: two containers that share a disk have the same.
-    temporary = path.with_name(f".{path.name}.{secrets.token_hex(8)}.tmp")
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        try:
+        with bnserve_store.replacing(path) as temporary:
             yield temporary
-            with temporary.open("rb") as file:
-                os.fsync(file.fileno())
-            temporary.replace(path)
-        finally:
-            temporary.unlink(missing_ok=True)
-        descriptor = os.open(path.parent, os.O_RDONLY)
-        try:
-            os.fsync(descriptor)
-        finally:
-            os.close(descriptor)
     except OSError as error:
         raise BasisUnwritable(
             f"Cannot write {path}: {error.strerror or error}. Make room, or choose a place that you can write to."

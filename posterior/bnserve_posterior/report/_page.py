@@ -5,7 +5,6 @@ from __future__ import annotations
 import base64
 import html
 import io
-import os
 from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
@@ -15,6 +14,7 @@ import numpy as np
 from bnserve_posterior.events import EventInvalid
 from bnserve_posterior.report._figures import all_figures
 from bnserve_posterior.running import Outcome, describe
+from bnserve_store import replacing
 
 _INTERVAL = (5.0, 50.0, 95.0)
 
@@ -42,10 +42,9 @@ def write_page(outcome: Outcome, path: Path) -> None:
         digests=_table(("", "SHA-256"), [(name, str(value)) for name, value in summary["digests"].items()]),
         images=images,
     )
-    partial = path.with_name(f"part.{path.name}")
     try:
-        partial.write_text(page, encoding="utf-8")
-        os.replace(partial, path)  # noqa: PTH105  (of two names in one folder)
+        with replacing(path) as temporary:
+            temporary.write_text(page, encoding="utf-8")
     except OSError as error:
         raise EventInvalid(f"The page cannot be written to {path}: {error.strerror}. Make room.") from error
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import logging
-import os
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Literal
@@ -15,6 +14,7 @@ from bnserve_posterior.events import EventInvalid
 from bnserve_posterior.priors import PriorCube
 from bnserve_posterior.results._samples import Samples
 from bnserve_posterior.sampling import Posterior
+from bnserve_store import replacing
 
 
 def bilby_result(
@@ -103,9 +103,8 @@ def save_result(result: Any, path: Path, kind: Literal["json", "hdf5"]) -> None:
     EventInvalid
         The file cannot be written.
     """
-    partial = path.with_name(f"part.{path.name}")
     try:
-        result.save_to_file(filename=str(partial), extension=kind, overwrite=True)
-        os.replace(partial, path)  # noqa: PTH105  (of two names in one folder)
+        with replacing(path) as temporary:
+            result.save_to_file(filename=str(temporary), extension=kind, overwrite=True)
     except OSError as error:
         raise EventInvalid(f"The result cannot be written to {path}: {error.strerror or error}. Make room.") from error

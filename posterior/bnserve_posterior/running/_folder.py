@@ -13,6 +13,7 @@ from pathlib import Path
 from bnserve_posterior.events import EventInvalid, OutputExists, OutputSection
 from bnserve_posterior.likelihoods import Choice
 from bnserve_protocol import decode_analysis, encode_analysis
+from bnserve_store import replacing
 
 _RUN, _ANALYSIS, _CHECKPOINT, _LOCK = "run.json", "analysis.msgpack", "checkpoint.npz", "run.lock"
 
@@ -129,10 +130,8 @@ class Folder:
 
     def _write(self, name: str, content: bytes) -> None:
         """A whole file, or none; raises as :meth:`writing`."""
-        partial = self.path / f"part.{name}"
-        with self.writing():
-            partial.write_bytes(content)
-            partial.replace(self.path / name)
+        with self.writing(), replacing(self.path / name) as temporary:
+            temporary.write_bytes(content)
 
     def _clear(self) -> None:
         """Throw away what runs keep, and nothing else."""

@@ -110,9 +110,10 @@ class LikelihoodAnswerBody(msgspec.Struct, kw_only=True):
         'status' is not 0.
     coalescence_time, reference_phase, distance_mpc
         [N], with 'draws': those that the analysis integrates over.
-    gradient, gradient_names
-        [N, P], with 'gradients': derivatives of 'log_likelihood', NaN, in JSON null, wherever 'status' is not 0; and
-        the P names of what they are with respect to: parameters, then errors at calibration nodes.
+    gradient
+        [N, P], with 'gradients': derivatives of 'log_likelihood'; NaN, in JSON null, wherever 'status' is not 0.
+    gradient_names
+        What these are with respect to: parameters, then errors at calibration nodes.
     """
 
     model: ModelIdentity

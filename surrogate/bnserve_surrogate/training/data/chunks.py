@@ -5,8 +5,6 @@ from __future__ import annotations
 import contextlib
 import errno
 import io
-import os
-import secrets
 import zipfile
 from collections.abc import Iterator
 from dataclasses import dataclass, fields, replace
@@ -17,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_protocol import PackageMissing
+from bnserve_store import replacing
 from bnserve_surrogate.training.data.generators import AmplitudePhasePair, FloatArray, WaveformGenerator
 from bnserve_surrogate.training.data.modes import NO_MODES, ModeNodes, Waveforms, with_modes
 from bnserve_surrogate.training.data.residuals import log_amplitude_ratio, phase_difference
@@ -149,30 +148,9 @@ def merge(chunks: list[Chunk]) -> Chunk:
 
 
 def write_whole(path: Path, data: bytes) -> None:
-    """Write a file so that ``path`` either has all of it or is what it was: temporary file, fsync, rename.
-
-    Raises
-    ------
-    OSError
-        Disk full, no permission, and the like; nothing half-written is left.
-    """
-    # Not by the number of the process: two containers that share a disk have the same.
-    temporary = path.with_name(f".{path.name}.{secrets.token_hex(8)}.tmp")
-    try:
-        with temporary.open("wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        temporary.replace(path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            temporary.unlink()
-        raise
-    descriptor = os.open(path.parent, os.O_RDONLY)
-    try:
-        os.fsync(descriptor)  # renames survive a power cut
-    finally:
-        os.close(descriptor)
+    """Write a file as :func:`bnserve_store.replacing` does; raises as it."""
+    with replacing(path) as temporary:
+        temporary.write_bytes(data)
 
 
 def write_chunk(path: Path, chunk: Chunk) -> None:
