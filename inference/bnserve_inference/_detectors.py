@@ -16,6 +16,8 @@ from bnserve_inference._sites import LAL_ARMS, PLANNED, Arms, Geometry, earth_fi
 from bnserve_inference._units import in_units, real
 from bnserve_protocol import AnalysisInvalid, FieldError, check_arms, check_location
 
+_SINGLE_PRECISION = 1e-5
+"""Of responses that come from LAL, and some more."""
 _LEAST_RADIUS = 6.25e6
 """Metres; the poles are at 6.357e6."""
 
@@ -40,8 +42,8 @@ class Detector:
     Raises
     ------
     AnalysisInvalid
-        Other shapes, numbers that are not finite, arms that are none, or a place that is neither on the Earth nor its
-        centre.
+        Other shapes, numbers that are not finite, a response that hears nothing, arms that are none, or a place that is
+        neither on the Earth nor its centre.
     """
 
     name: str
@@ -67,6 +69,7 @@ class Detector:
                 "its location in metres.",
                 errors=[FieldError(reason="not on Earth", parameter="location", value=radius)],
             )
+        _check_response(self.name, self.response)
 
     @classmethod
     def named(cls, name: str, *, finite_arms: bool = False) -> Detector:
@@ -146,3 +149,19 @@ class Detector:
         place, arms = geometry
         x, y = (arm / math.hypot(*arm) for arm in arms)
         return cls(name, 0.5 * (np.outer(x, x) - np.outer(y, y)), place, arms if finite_arms else None)
+
+
+def _check_response(name: str, response: NDArray[np.float64]) -> None:
+    """Refuse a response, ``(3, 3)``, that no pair of arms has: AnalysisInvalid."""
+    why = ""
+    if (size := float(np.abs(response).max())) > 1.0:
+        why = f"has numbers as large as {size:.3g}"
+    elif np.abs(response - response.T).max() > _SINGLE_PRECISION:
+        why = "is not symmetric"
+    elif np.abs(response - np.trace(response) / 3.0 * np.eye(3)).max() < _SINGLE_PRECISION:
+        why = "hears no gravitational wave"
+    if why:
+        raise AnalysisInvalid(
+            f"The response of {name} {why}; it is half of the difference of its arms' unit vectors times themselves.",
+            errors=[FieldError(reason="no response", parameter="response")],
+        )

@@ -105,9 +105,11 @@ def coordinate_jacobian(
     forward = np.empty((len(batch), len(names), len(names)))
     for column, parameter in enumerate(PARAMETER_NAMES):
         values = {name: batch[name].astype(np.complex128) for name in PARAMETER_NAMES}
-        values[parameter] = values[parameter] + 1j * _STEP
+        # Larger by a power of two where the value is: the same bits, and no slope of a logarithm that underflows.
+        step = np.ldexp(_STEP, np.maximum(0, np.frexp(batch[parameter])[1]))
+        values[parameter] = values[parameter] + 1j * step
         for row, name in enumerate(names):
-            forward[:, row, column] = np.imag(COORDINATES[name](values)) / _STEP
+            forward[:, row, column] = np.imag(COORDINATES[name](values)) / step
     scale_rows = np.abs(forward).max(axis=2, keepdims=True)
     scaled = forward / np.where(scale_rows > 0.0, scale_rows, 1.0)
     scale_columns = np.abs(scaled).max(axis=1, keepdims=True)

@@ -73,11 +73,17 @@ class NetworkDetector:
             object.__setattr__(self, "noise", (frequencies, asd))
 
 
+_BANDS, _NARROWEST = (1e-6, 1e6), 1e-6
+"""Hz; and of f_min, so that nodes have room."""
+
+
 def check_band(f_min: float, f_max: float) -> None:
     """Refuse what is no band of a network: AnalysisInvalid."""
-    if not 0.0 < f_min < f_max < math.inf:
+    least, most = _BANDS
+    if not least <= f_min < f_max <= most or f_max < (1.0 + _NARROWEST) * f_min:
         raise AnalysisInvalid(
-            f"The band of a network is 0 < f_min < f_max; got {f_min!r} and {f_max!r} Hz.",
+            f"The band of a network is 0 < f_min < f_max, from {least:g} to {most:g} Hz and not narrower than a "
+            f"millionth of f_min; got {f_min!r} and {f_max!r} Hz.",
             errors=[FieldError(reason="no band", parameter="f_min", value=f_min)],
         )
 
@@ -180,6 +186,9 @@ _DECODERS: dict[str, Any] = {
 }
 
 
+_BEGINS_JSON = (b"{", b" ", b"\t", b"\r", b"\n")
+
+
 def decode_network(body: bytes | memoryview) -> DetectorNetwork:
     """Read a network, which is MessagePack or JSON: no map of the one begins as an object of the other does.
 
@@ -188,7 +197,7 @@ def decode_network(body: bytes | memoryview) -> DetectorNetwork:
     UndecodableBody
         Not such a message.
     """
-    media_type = JSON if bytes(body[:64]).lstrip()[:1] == b"{" else MSGPACK
+    media_type = JSON if bytes(body[:1]) in _BEGINS_JSON else MSGPACK
     whole, numbers = _DECODERS[media_type]
     try:
         wire: _NetworkBody = whole.decode(body)

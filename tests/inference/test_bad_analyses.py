@@ -282,7 +282,7 @@ def test_a_detector_that_is_not_on_earth_is_refused(response, location, reason):
 
 
 def test_a_detector_may_be_at_the_centre_of_the_earth():
-    assert Detector("X1", response=np.eye(3), location=np.zeros(3)).location.tolist() == [0.0, 0.0, 0.0]
+    assert Detector("X1", response=np.eye(3) - 0.5, location=np.zeros(3)).location.tolist() == [0.0, 0.0, 0.0]
 
 
 TWICE = {
@@ -305,3 +305,17 @@ def test_options_that_contradict_themselves_make_no_analysis(model, data, option
             data, trigger_time=TRIGGER, f_min=F_MIN, f_max=F_MAX, fiducial=FIDUCIAL, model=model,
             options=LikelihoodOptions(**({"prior": PRIOR} | options)),
         )  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("response", "sentence"),
+    [
+        (np.zeros((3, 3)), "hears no gravitational wave"),
+        (0.3 * np.eye(3), "hears no gravitational wave"),
+        (np.full((3, 3), 1e300), "numbers as large as 1e.300"),
+        (np.array([[0.0, 0.5, 0.0], [-0.5, 0.0, 0.0], [0.0, 0.0, 0.0]]), "is not symmetric"),
+    ],
+)
+def test_a_response_that_no_arms_have_is_refused(response, sentence):
+    with pytest.raises(AnalysisInvalid, match=sentence):
+        Detector("X1", response=response, location=np.zeros(3))

@@ -156,6 +156,19 @@ BAD_NETWORKS = {
     "half a curve": (network(noise={"asd": [1e-24]}), "body-undecodable", "frequencies"),
     "band outside": (network(noise=CURVE, f_min=3000.0, f_max=4000.0), "analysis-invalid", "None of the noise curves"),
     "no band": (network(f_min=20.0, f_max=20.0), "analysis-invalid", "0 < f_min < f_max"),
+    "a band without room": (network(f_min=100.0, f_max=100.00000000000001), "analysis-invalid", "a millionth of f_min"),
+    "a band without end": (network(f_min=1e-300, f_max=1e300), "analysis-invalid", "from 1e-06 to 1e+06 Hz"),
+    "a curve beyond numbers": (network(noise=CURVE | {"asd": [1e308] * 3}), "analysis-invalid", "leave such"),
+    "arms alone": (
+        network() | {"detectors": [{"name": "E1", "noise": "ET-D", "arms": [[1e4, 0, 0], [0, 1e4, 0]]}]},
+        "analysis-invalid",
+        "arms if their length counts",
+    ),
+    "a deaf detector": (
+        network() | {"detectors": [{"name": "X1", "noise": "ET-D", "location": [0] * 3, "response": [[0] * 3] * 3}]},
+        "analysis-invalid",
+        "hears no gravitational wave",
+    ),
     "no time": (network(trigger_time=-1.0), "analysis-invalid", "GPS time"),
     "no detectors": (network(()), "body-undecodable", "detectors"),
     "too many": (network((*SIXTEEN, "K1")), "body-undecodable", "detectors"),
@@ -198,6 +211,11 @@ def test_numbers_that_are_none_are_refused_in_messagepack_too(address):
     body = msgpack.packb(network(f_min=float("nan")))
     at = f"/v1/networks/{hashlib.sha256(body).hexdigest()}"
     refusal(ask(address, "PUT", at, body, content_type=MSGPACK), 422, "analysis-invalid", "0 < f_min")
+
+
+def test_blanks_before_a_network_are_no_messagepack(address):
+    for blanks in (b" " * 1000, b"\r\n\t "):
+        assert put(address, blanks + json.dumps(network()).encode())[0].status == 201
 
 
 def test_a_network_goes_by_its_own_bytes(address):

@@ -107,6 +107,23 @@ class TestBlobStore:
         assert not blobs.drop(ME, name)
         assert blobs.usage() == (0, 0)
 
+    @pytest.mark.parametrize("other", [ME, YOU])
+    def test_what_is_dropped_while_it_is_uploaded_again_is_kept(self, blobs, monkeypatch, other):
+        """By another worker, between the look at what is there and the link to it: the folder is not gone."""
+        blobs.put(other, digest(b"x"), b"x")
+        look = BlobStore._blobs
+
+        def looked(self):
+            found = look(self)
+            self.drop(other, digest(b"x"))
+            return found
+
+        with monkeypatch.context() as patch:
+            patch.setattr(BlobStore, "_blobs", looked)
+            assert blobs.put(ME, digest(b"x"), b"x")
+        blobs.put(ME, digest(b"x"), b"x")
+        assert bytes(blobs.read(ME, digest(b"x"))) == b"x"
+
     def test_owners_of_the_same_share_it_and_neither_takes_it_from_the_other(self, blobs):
         body = b"x" * 900
         assert blobs.put(ME, digest(body), body)
@@ -333,3 +350,29 @@ class TestWithoutIt:
         shutil.rmtree(folder / "grids")
         assert ask(server.address, "PUT", f"/v1/grids/{digest(body)}", body, **token).status == 201
         assert ask(server.address, "GET", "/v2/health/ready").status == 200
+
+
+def test_uploads_while_they_are_dropped_are_answered_as_uploads(tmp_path):
+    """By threads that are all as fast as they can: an upload that somebody drops at once was here."""
+    settings = Settings(**SMALL_LIMITS)
+    body, failures = grid(20.0), []
+    stores = [GridStore(settings, tmp_path) for _ in range(2)]
+
+    def upload(store):
+        try:
+            for _ in range(300):
+                found, _ = store.put("", digest(body), body)
+                assert len(found) == 50
+        except Exception as error:
+            failures.append(error)
+
+    def drop(store):
+        for _ in range(900):
+            store.discard("", digest(body))
+
+    threads = [threading.Thread(target=work, args=(store,)) for store in stores for work in (upload, drop)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert failures == []

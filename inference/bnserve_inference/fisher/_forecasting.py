@@ -42,6 +42,8 @@ _NUMBERS = 2**18
 """Complex numbers of derivatives at once: 4 MiB, which stay near the processor."""
 _ROWS = 1024
 """Whose coordinates are found at once."""
+_NARROWEST = 1e-100
+"""Of priors: one over its square is a number."""
 _REFERENCES = 0.01, 1e6
 """Hz; lower, double precision leaves nothing of a phase."""
 
@@ -122,10 +124,10 @@ def forecast(
 def _check(options: ForecastOptions) -> None:
     """Refuse priors and a reference frequency that are none."""
     for name, width in (options.priors or {}).items():
-        if name not in options.names or not 0.0 < width < np.inf:
+        if name not in options.names or not _NARROWEST <= width < np.inf:
             raise InvalidRequest(
-                f"A prior is a positive width of one of {', '.join(options.names)}; got {width!r} for "
-                f"'{str(name)[:80]}'.",
+                f"A prior is a positive width, {_NARROWEST:g} or more, of one of {', '.join(options.names)}; got "
+                f"{width!r} for '{str(name)[:80]}'.",
                 errors=[FieldError(reason="no prior", parameter=str(name)[:80])],
             )
     least, most = _REFERENCES

@@ -26,6 +26,8 @@ from bnserve_protocol import (
 
 Floats = NDArray[np.float64]
 
+_LARGEST_ASD = 1e100
+
 _CURVES = {
     "ET-D": ("bnserve_surrogate", "data/ET_D_psd.txt"),
     "CE40": ("bnserve_inference.fisher", "curves/CE40_psd.txt"),
@@ -59,6 +61,10 @@ class NoiseCurve:
         if values.min() < LEAST_ASD:
             raise AnalysisInvalid(
                 f"The least ASD is {values.min():.2g}, which no detector has: it is a PSD. Take its square root."
+            )
+        if values.max() > _LARGEST_ASD:
+            raise AnalysisInvalid(
+                f"The largest ASD is {values.max():.2g}, beside which a signal is nothing: leave such frequencies out."
             )
         return cls(f, values)
 
@@ -198,11 +204,12 @@ class Network:
 
 
 def _detector(given: NetworkDetector) -> Detector:
-    if given.response is None and given.location is None:
+    if given.response is None and given.location is None and given.arms is None:
         return Detector.named(given.name)
     if given.response is None or given.location is None:
         raise AnalysisInvalid(
-            f"The detector {given.name} has a response and a location, or neither and a name that is known.",
+            f"The detector {given.name} has a response and a location, and arms if their length counts, or none of "
+            "these and a name that is known.",
             errors=[FieldError(reason="response and location", parameter="detectors", value=given.name)],
         )
     return Detector(given.name, given.response, given.location, given.arms)

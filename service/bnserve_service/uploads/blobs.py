@@ -128,11 +128,7 @@ class BlobStore:
         with locked(self._folder):
             path.parent.mkdir(mode=0o700, exist_ok=True)
             same = next((blob for blob in self._blobs() if blob.name == name and blob.size == len(body)), None)
-            if same is not None:
-                with suppress(FileExistsError):
-                    os.link(self._path(same.owner, name), path)
-                os.utime(path)
-            elif not self._write(path, body):
+            if (same is None or not self._share(same, path)) and not self._write(path, body):
                 return False
             fresh = Blob(owner, name, len(body))
             for blob in self._bounds.surplus(fresh, [blob for blob in self._blobs() if blob[:2] != fresh[:2]]):
@@ -173,6 +169,16 @@ class BlobStore:
                     elif time.time() - status.st_mtime > _LEFT_BEHIND:
                         Path(entry.path).unlink()
         return [blob for _, blob in sorted(found)]
+
+    def _share(self, same: Blob, path: Path) -> bool:
+        """Whether a file that is there could be had at ``path``, too: whoever has it may drop it at any time."""
+        try:
+            with suppress(FileExistsError):
+                os.link(self._path(same.owner, same.name), path)
+            os.utime(path)
+        except FileNotFoundError:
+            return False
+        return True
 
     def _write(self, path: Path, body: bytes) -> bool:
         fresh = path.with_name(f"new-{os.getpid()}-{time.monotonic_ns()}")

@@ -139,7 +139,9 @@ class UploadStore(ABC, Generic[T]):
         is_new = not self._blobs.use(*key)
         if is_new and not self._blobs.put(*key, body):
             raise no_room()
-        return self.get(owner, sha256), is_new
+        with suppress(NotFound):  # dropped a moment ago: it was here
+            value = self.get(owner, sha256)
+        return value, is_new
 
     def drop(self, owner: str, sha256: str) -> None:
         """Forget an upload.

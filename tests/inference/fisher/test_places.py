@@ -7,7 +7,7 @@ import pytest
 
 from bnserve_inference import Detector
 from bnserve_inference.fisher import ForecastOptions, Network, forecast, signal_to_noise
-from bnserve_protocol import AnalysisInvalid, LikelihoodBatch, RowStatus
+from bnserve_protocol import AnalysisInvalid, InvalidRequest, LikelihoodBatch, RowStatus
 from bnserve_surrogate import Model
 from tests.inference.fisher.test_forecast import BINARY, TRIGGER, curve, network
 
@@ -65,3 +65,25 @@ def test_a_detector_counts_once_and_two_at_one_place_count_both(model):
     beside = Detector("E1-beside", site.response, site.location)
     one, both = (signal_to_noise(model, network(sites), BINARY) for sites in (["E1"], ["E1", beside]))
     assert both.snr == pytest.approx(np.sqrt(2.0) * one.snr, rel=1e-14)
+
+
+def test_how_far_a_binary_is_changes_nothing_else(model):
+    """Up to where its strain is no number any more: neither rounding nor a slope that underflows."""
+    options = ForecastOptions(modes=[(2, 2)])
+    near, far = (
+        forecast(model, network(), dataclasses.replace(BINARY, distance_mpc=d), options) for d in (1e-20, 1e20)
+    )
+    assert far.condition == pytest.approx(near.condition, rel=1e-6)
+    batch = LikelihoodBatch(np.repeat(LikelihoodBatch.coerce(BINARY).values, 2, axis=0))
+    batch["distance_mpc"][1] = 1e300
+    found = forecast(model, network(), batch, options)
+    assert found.singular.tolist() == [False, True]
+    assert found.status.tolist() == [RowStatus.OK, RowStatus.NOT_FINITE]
+
+
+def test_a_prior_so_narrow_that_its_weight_is_no_number_is_refused(model):
+    for width in (1e-160, 5e-324):
+        with pytest.raises(InvalidRequest, match="1e-100 or more"):
+            forecast(model, network(), BINARY, ForecastOptions(priors={"chi_1": width}))
+    fixed = forecast(model, network(), BINARY, ForecastOptions(priors={"chi_1": 1e-100}))
+    assert fixed.errors()["chi_1"][0] == pytest.approx(1e-100)
