@@ -1,14 +1,14 @@
-"""Gradients of the log-likelihood: derivatives of the waveform forwards, of all that is made of it backwards.
+"""Gradients of the log-likelihood, backwards.
 
 ln L is a function of inner products, which are linear and quadratic in the strain. What it changes by with them is
-pulled back through the contraction to the strain (:mod:`.adjoint_kernel`), once for all parameters. The model's
-derivatives say what the strain changes by with the parameters of the binary, and the rest is analytic.
+pulled back through the contraction to the strain (:mod:`.adjoint_kernel`), once for all parameters, and by the model to
+the parameters of the binary; where a model does not do so, by its derivatives. The rest is analytic.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import Any, NamedTuple, TypeAlias
+from typing import Any, NamedTuple, Protocol, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,7 +20,6 @@ from bnserve_inference.adjoint_kernel import Adjoint, Bars, PulledBack
 from bnserve_protocol import (
     DERIVATIVE_NAMES,
     Analysis,
-    Derivatives,
     InvalidRequest,
     LikelihoodBatch,
     ParameterBatch,
@@ -32,6 +31,28 @@ Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 Evaluate: TypeAlias = Callable[[], tuple[Floats, Floats]]
 _PLACE = ("right_ascension", "declination", "polarization_angle", "coalescence_time")
+
+
+class _Differentiated(Protocol):
+    """What a model has where it can be differentiated: :class:`bnserve_protocol.Derivatives`, or what takes derivatives
+    back without forming those of the strain."""
+
+    @property
+    def h(self) -> Any: ...
+    @property
+    def plus(self) -> Floats: ...
+    @property
+    def cross(self) -> Complex: ...
+    @property
+    def plus_slope(self) -> Floats: ...
+    @property
+    def cross_slope(self) -> Complex: ...
+    @property
+    def status(self) -> NDArray[np.uint8]: ...
+    @property
+    def frequencies(self) -> Floats: ...
+    def pull_back(self, bars: Complex, /) -> Floats:
+        """From what a function changes by with h, ``(N, L, M)``, to what it changes by with the binary, ``(N, 6)``."""
 
 
 class Marginal(NamedTuple):
@@ -70,7 +91,8 @@ class Gradients:
     def __init__(
         self, model: WaveformModel, analysis: Analysis, signals: Signals, times: TimeIntegral | None, marginal: Marginal
     ) -> None:
-        differentiate = getattr(model, "predict_derivatives", None)
+        derivatives = getattr(model, "predict_derivatives", None)
+        differentiate = getattr(model, "predict_pullback", derivatives)
         if differentiate is None:
             raise InvalidRequest(
                 f"The model '{model.description.name}' does not say that it has derivatives: ask for log-likelihoods, "
@@ -84,7 +106,9 @@ class Gradients:
     def of_rows(self, batch: LikelihoodBatch, fixed: dict[str, float]) -> tuple[Tile, Evaluate]:
         """The signals of some rows, and what evaluates ln L, ``(N,)``, and its gradient, ``(N, P)``."""
         waveforms = batch.waveform_batch(**fixed)
-        found = self._differentiate(self._signals.frequencies, waveforms, options=self._signals.options)
+        found: _Differentiated = self._differentiate(
+            self._signals.frequencies, waveforms, options=self._signals.options
+        )
         h = np.asarray(found.h, dtype=np.complex128)
         passing = self._signals.passing(waveforms)
         tile = self._signals.of_strain(Strain(h, found.plus, found.cross, found.status), batch, passing)
@@ -92,9 +116,7 @@ class Gradients:
         def evaluate() -> tuple[Floats, Floats]:
             values, bars = self._bars(tile)
             errors = calibration_errors(batch, self._settings)
-            pulled = self._adjoint.pull_back(
-                h, found.plus, found.cross, found.derivatives, errors, bars, passing
-            )  # fmt: skip
+            pulled = self._adjoint.pull_back(h, found.plus, found.cross, errors, bars, passing)
             return values, self._gradient(found, waveforms, pulled)
 
         return tile, evaluate
@@ -113,11 +135,11 @@ class Gradients:
         values, by_products, by_norms = self._marginal.slopes(products, inner.norms)
         return values, [Bars(tile.sky, *self._signals.bars(by_products.T[:, :, None], by_norms))]
 
-    def _gradient(self, found: Derivatives, waveforms: ParameterBatch, pulled: PulledBack) -> Floats:
+    def _gradient(self, found: _Differentiated, waveforms: ParameterBatch, pulled: PulledBack) -> Floats:
         """The columns of the gradient that the analysis has, ``(N, P)``."""
-        binary = pulled.binary
         if pulled.passing is not None:
-            binary = binary + np.einsum("ngm,ngim->ni", pulled.passing, self._passing_slopes(found))
+            self._add_passing(found, pulled.passing, pulled.waves)
+        binary = found.pull_back(pulled.waves)
         own = found.plus * pulled.factors[:, :, 0] + found.cross * pulled.factors[:, :, 1]
         tilted = found.plus_slope * pulled.factors[:, :, 0] + found.cross_slope * pulled.factors[:, :, 1]
         turns = np.array([-0.5 * order for _, order in self._modes])
@@ -131,20 +153,34 @@ class Gradients:
                     columns[f"recalib_{detector}_{kind}_{node}"] = errors[:, place, node]
         return np.stack([columns[name] for name in self.names], axis=1)
 
-    def _passing_slopes(self, found: Derivatives) -> Floats:
-        """What the times at which each group passes the frequencies change by with the binary, ``(N, G, 6, M)``.
+    def _add_passing(self, found: _Differentiated, bars: Floats, waves: Complex) -> None:
+        """Add, to what ln L changes by with the strain, what it changes by with the times at which each group passes
+        the frequencies, ``(N, G, M)``: minus d phase / d f of the strongest mode of each order, over 2 pi.
 
         By differences along the grid, right to 2e-3 at its ends: all of it is a millionth of the gradient.
         """
         f = found.frequencies
-        slopes = []
-        for order in orders(self._modes):
+        for group, order in enumerate(orders(self._modes)):
             leading = min(place for place, mode in enumerate(self._modes) if mode[1] == order)
+            by_phase = _slopes_back(bars[:, group] / (-2.0 * np.pi * f), np.log(f))
             with np.errstate(invalid="ignore", divide="ignore"):
-                phases = (found.derivatives[:, leading] / found.h[:, leading, None]).imag
-            phases = np.where(np.isfinite(phases), phases, 0.0)
-            slopes.append(np.gradient(phases, np.log(f), axis=-1) / (-2.0 * np.pi * f))
-        return np.stack(slopes, axis=1)
+                turned = 1j * by_phase / found.h[:, leading].conj()
+            waves[:, leading] += np.where(np.isfinite(turned), turned, 0.0)
+
+
+def _slopes_back(bars: Floats, x: Floats) -> Floats:
+    """What ``np.gradient`` along the last axis, of numbers at ``x``, does backwards."""
+    widths = np.diff(x)
+    found = np.zeros_like(bars)
+    found[:, 0] -= bars[:, 0] / widths[0]
+    found[:, 1] += bars[:, 0] / widths[0]
+    found[:, -2] -= bars[:, -1] / widths[-1]
+    found[:, -1] += bars[:, -1] / widths[-1]
+    left, right, inner = widths[:-1], widths[1:], bars[:, 1:-1]
+    found[:, :-2] -= inner * (right / (left * (left + right)))
+    found[:, 1:-1] += inner * ((right - left) / (left * right))
+    found[:, 2:] += inner * (left / (right * (left + right)))
+    return found
 
 
 def _sum(modes: Floats) -> Floats:

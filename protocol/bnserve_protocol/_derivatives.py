@@ -64,6 +64,20 @@ class Derivatives(LikeTuple[NDArray[Any]]):
                 self._fill(part, all_factors[part], all_slopes[part], turns, out[part])
         return found[0], found[1]
 
+    def pull_back(self, bars: ComplexArray) -> Floats:
+        """What a function of the modes changes by with the parameters :data:`DERIVATIVE_NAMES`, ``(N, 6)``.
+
+        Parameters
+        ----------
+        bars
+            What it changes by with the modes, complex ``(N, L, M)``: with the real part of h by their real, with the
+            imaginary part by their imaginary parts, in the unit of the function times Hz.
+        """
+        found = np.empty((len(self.h), self.derivatives.shape[2]))
+        for row, (bar, derivatives) in enumerate(zip(bars, self.derivatives, strict=True)):
+            found[row] = np.einsum("lm,lpm->p", bar.conj(), derivatives).real
+        return found
+
     def _fill(self, part: slice, factors: NDArray[Any], slopes: NDArray[Any], turns: ComplexArray, out: Any) -> None:
         """One polarisation of some rows, ``(n, 10, M)``."""
         h, derivatives = self.h[part], self.derivatives[part]

@@ -11,6 +11,7 @@ from bnserve_protocol import (
     UniformGrid,
 )
 from bnserve_surrogate._artifact import ModeMetadata, RatioMetadata, SelfCheck, SurrogateMetadata
+from bnserve_surrogate._differentiation import Pullback
 from bnserve_surrogate._environment import describe_run
 from bnserve_surrogate._model import Model
 
@@ -23,6 +24,7 @@ __all__ = [
     "ParameterBatch",
     "ParametersWithExtrinsic",
     "Polarizations",
+    "Pullback",
     "RatioMetadata",
     "RowStatus",
     "SelfCheck",

@@ -1,8 +1,10 @@
-"""Modes with their derivatives."""
+"""Modes with their derivatives, forwards and backwards."""
 
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,15 +15,58 @@ from bnserve_protocol import (
     Derivatives,
     EvaluationOptions,
     GridLike,
+    InvalidRequest,
     Mode,
     ParameterBatch,
 )
+from bnserve_surrogate.adjoint import pull_back as pull_back_modes
+from bnserve_surrogate.kernel import Output
 from bnserve_surrogate.kernel.modes import harmonic
+from bnserve_surrogate.tangents import differentiate
 
 if TYPE_CHECKING:
-    from bnserve_surrogate._evaluator import Evaluator
+    from bnserve_surrogate._evaluator import Answer, Evaluator
 
 Floats = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, slots=True)
+class Pullback:
+    """Modes of a batch, and what takes derivatives with respect to them back to the parameters.
+
+    ``modes``, ``h``, ``plus``, ``cross``, ``plus_slope``, ``cross_slope``, ``status`` and ``frequencies`` as in
+    :class:`bnserve_protocol.Derivatives`.
+    """
+
+    modes: tuple[Mode, ...]
+    h: Complex
+    plus: Floats
+    cross: Complex
+    plus_slope: Floats
+    cross_slope: Complex
+    status: NDArray[np.uint8]
+    frequencies: Floats
+    _pull_back: Callable[[Complex], Floats]
+
+    def pull_back(self, bars: Complex) -> Floats:
+        """What a function of the modes changes by with the parameters ``DERIVATIVE_NAMES``, ``(N, 6)``.
+
+        As :meth:`bnserve_protocol.Derivatives.pull_back`, at a few times the price of the modes: no derivative of
+        them is formed.
+
+        Raises
+        ------
+        InvalidRequest
+            ``bars`` have not the shape of ``h``.
+        """
+        bars = np.asarray(bars, dtype=np.complex128)
+        if bars.shape != self.h.shape:
+            raise InvalidRequest(
+                f"Give one complex number for each of the modes' h, {self.h.shape}: what a function of it changes by "
+                f"with its real and its imaginary part. These have the shape {bars.shape}."
+            )
+        return self._pull_back(bars)
 
 
 def mode_derivatives(
@@ -33,15 +78,14 @@ def mode_derivatives(
     """
     coerced = ParameterBatch.coerce(batch)
     modes = options.modes or evaluator.modes
-    answer, found = evaluator.differentiated(frequencies, coerced, options)
+    answer, h, found = _differentiated(evaluator, frequencies, coerced, options)
     rows = len(coerced)
-    h = answer.first.reshape(rows, len(modes), found.shape[-1])
     if options.reference_frequency is not None:
         there = np.array([options.reference_frequency])
         own = EvaluationOptions(modes=((2, 2),), alignment=options.alignment, out_of_domain="flag")
-        at, slopes = evaluator.differentiated(there, coerced, own)
+        _, at, slopes = _differentiated(evaluator, there, coerced, own)
         with np.errstate(invalid="ignore", divide="ignore"):
-            held = (slopes[:, 0, :, 0] / at.first.reshape(rows, 1)).imag
+            held = (slopes[:, 0, :, 0] / at[:, 0]).imag
         for place, (_, order) in enumerate(modes):
             found[:, place] -= 0.5j * order * held[:, :, None] * h[:, place, None]
     plus_slope, cross_slope = _slopes(modes, coerced["inclination"])
@@ -58,6 +102,71 @@ def mode_derivatives(
         distances=coerced["distance_mpc"],
         estimated_mismatch=answer.estimates,
     )
+
+
+def _differentiated(
+    evaluator: Evaluator, frequencies: GridLike, batch: ParameterBatch, options: EvaluationOptions
+) -> tuple[Answer, Complex, Complex]:
+    """The modes of N waveforms, ``(N, L, M)``, and their derivatives, ``(N, L, 6, M)``."""
+    answer, asked = (
+        evaluator.batch(frequencies, batch, options, Output.STRAIN),
+        evaluator.asked(frequencies, batch, options),
+    )
+    h = _by_mode(answer)
+    return answer, h, differentiate(*asked[:4], answer.status, h, asked.plan)
+
+
+def _by_mode(answer: Answer) -> Complex:
+    """The strain of an answer, ``(N, L, M)``."""
+    return answer.first if answer.first.ndim == 3 else answer.first[:, None]
+
+
+def mode_pullback(
+    evaluator: Evaluator, frequencies: GridLike, batch: BatchLike, options: EvaluationOptions
+) -> Pullback:
+    """N waveforms by their modes, and what takes derivatives with respect to them back to the parameters."""
+    coerced = ParameterBatch.coerce(batch)
+    modes = options.modes or evaluator.modes
+    answer = evaluator.batch(frequencies, coerced, options, Output.STRAIN)
+    h, rows = _by_mode(answer), len(coerced)
+
+    def pull_back(bars: Complex) -> Floats:
+        asked = evaluator.asked(frequencies, coerced, options)
+        found = pull_back_modes(*asked[:4], answer.status, h, bars, asked.plan)
+        if options.reference_frequency is not None:
+            found -= _held_back(evaluator, coerced, options, modes, h, bars)
+        return found
+
+    plus_slope, cross_slope = _slopes(modes, coerced["inclination"])
+    return Pullback(
+        modes=modes,
+        h=h,
+        plus=answer.plus.reshape(rows, len(modes)),
+        cross=answer.cross.reshape(rows, len(modes)),
+        plus_slope=plus_slope,
+        cross_slope=cross_slope,
+        status=answer.status,
+        frequencies=evaluator.frequencies(frequencies),
+        _pull_back=pull_back,
+    )
+
+
+def _held_back(
+    evaluator: Evaluator, batch: ParameterBatch, options: EvaluationOptions, modes: tuple[Mode, ...], h: Complex,
+    bars: Complex,
+) -> Floats:  # fmt: skip
+    """What is taken off, ``(N, 6)``, because the phase of the (2, 2) at the reference frequency is held."""
+    there = np.array([options.reference_frequency])
+    own = EvaluationOptions(modes=((2, 2),), alignment=options.alignment, out_of_domain="flag")
+    answer, asked = evaluator.batch(there, batch, own, Output.STRAIN), evaluator.asked(there, batch, own)
+    turns = np.zeros(len(batch))
+    for row, (bar, waves) in enumerate(zip(bars, h, strict=True)):
+        for place, (_, order) in enumerate(modes):
+            turned = np.dot(bar[place].imag, waves[place].real) - np.dot(bar[place].real, waves[place].imag)
+            turns[row] += 0.5 * order * turned
+    at = _by_mode(answer)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        return pull_back_modes(*asked[:4], answer.status, at, 1j * turns[:, None, None] / at.conj(), asked.plan)
 
 
 def _slopes(modes: tuple[Mode, ...], inclination: Floats) -> tuple[Floats, NDArray[np.complex128]]:

@@ -40,6 +40,7 @@ from bnserve_surrogate._one_row import FEW, OneRow
 from bnserve_surrogate.kernel import (
     EDGE,
     LEAST_MF,
+    KernelModel,
     KernelModes,
     ModePlan,
     Output,
@@ -49,7 +50,6 @@ from bnserve_surrogate.kernel import (
     plan_modes,
 )
 from bnserve_surrogate.kernel._evaluate import GridCache, PreparedGrid, is_list
-from bnserve_surrogate.tangents import differentiate
 
 _ALIGNMENTS = {"post_newtonian": 0, "merger": 1}
 _KINDS = {"complex128": Output.POLARIZATIONS, "complex64": Output.POLARIZATIONS_SINGLE}
@@ -84,6 +84,16 @@ class Answer(NamedTuple):
     cross: NDArray[np.complex128]
     status: NDArray[np.uint8]
     estimates: Floats | None
+
+
+class Asked(NamedTuple):
+    """What the compiled derivatives of modes are told, forwards and backwards, before what was evaluated."""
+
+    mode: KernelModel
+    grid: PreparedGrid
+    values: Floats
+    alignment: int
+    plan: ModePlan | None
 
 
 class _NotYet:
@@ -203,21 +213,15 @@ class Evaluator:
                 'time, on fewer frequencies, or with dtype="complex64".'
             ) from error
 
-    def differentiated(
-        self, frequencies: GridLike, batch: ParameterBatch, options: EvaluationOptions
-    ) -> tuple[Answer, NDArray[np.complex128]]:
-        """The modes of N waveforms, and their derivatives, ``(N, L, 6, M)``; errors as :meth:`batch`.
+    def asked(self, frequencies: GridLike, batch: ParameterBatch, options: EvaluationOptions) -> Asked:
+        """What derivatives of the modes that :meth:`batch` evaluates are told; errors as there.
 
         Those of the reference phase are not among them: it is that of the batch, whatever the options say.
         """
-        answer = self.batch(frequencies, batch, options, Output.STRAIN)
+        grid, plan = self._grids.prepare(frequencies), self._plan(options)
         if options.reference_frequency is not None:
             batch = self._referenced(batch, options)
-        grid = self._grids.prepare(frequencies)
-        plan, alignment = self._plan(options), _ALIGNMENTS[options.alignment]
-        modes = 1 if plan is None else len(plan.modes)
-        h = answer.first.reshape(len(batch), modes, len(grid.frequencies))
-        return answer, differentiate(self._mode, grid, batch.values, alignment, answer.status, h, plan)
+        return Asked(self._mode, grid, batch.values, _ALIGNMENTS[options.alignment], plan)
 
     def _plan(self, options: EvaluationOptions) -> ModePlan | None:
         """How the modes of some options are evaluated; None for the (2, 2) alone."""

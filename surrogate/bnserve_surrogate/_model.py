@@ -34,7 +34,7 @@ from bnserve_protocol import (
 )
 from bnserve_store import Artifact, ModelStore
 from bnserve_surrogate._artifact import MODES, SurrogateMetadata
-from bnserve_surrogate._differentiation import mode_derivatives
+from bnserve_surrogate._differentiation import Pullback, mode_derivatives, mode_pullback
 from bnserve_surrogate._environment import describe_run
 from bnserve_surrogate._evaluator import Evaluator
 from bnserve_surrogate._pinning import version_with_digest
@@ -197,10 +197,7 @@ class Model:
                 return answer
         batch = self.predict_batch(frequencies, ParameterBatch.one(parameters), options=options, dtype=dtype)
         return Polarizations(
-            plus=batch.plus[0],
-            cross=batch.cross[0],
-            status=batch.status,
-            estimated_mismatch=batch.estimated_mismatch,
+            plus=batch.plus[0], cross=batch.cross[0], status=batch.status, estimated_mismatch=batch.estimated_mismatch
         )
 
     def predict_batch(
@@ -258,6 +255,14 @@ class Model:
         """
         check_options(options)
         return mode_derivatives(self._evaluator, frequencies, batch, options)
+
+    def predict_pullback(
+        self, frequencies: GridLike, batch: BatchLike, *, options: EvaluationOptions = DEFAULT_OPTIONS
+    ) -> Pullback:
+        """N waveforms by their modes, and what takes the gradient of a function of them back to the parameters, at a
+        fraction of the price of their derivatives: see :meth:`Pullback.pull_back`. Errors as :meth:`predict`."""
+        check_options(options)
+        return mode_pullback(self._evaluator, frequencies, batch, options)
 
     def predict_factored(
         self,
@@ -324,8 +329,7 @@ class Model:
         options: EvaluationOptions = DEFAULT_OPTIONS,
     ) -> TimeSeries:
         """h_plus(t) and h_cross(t), real ``(T,)`` or ``(N, T)``, on a time axis; see
-        :func:`bnserve_protocol.predict_time_domain`.
-        """
+        :func:`bnserve_protocol.predict_time_domain`."""
         return predict_time_domain(
             self, parameters, sampling_rate=sampling_rate, f_min=f_min, duration=duration, options=options
         )

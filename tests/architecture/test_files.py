@@ -60,6 +60,7 @@ NAMED_BY_OTHERS = {
     "inference/bnserve_inference/kernel/build.py": "run with `python -m`",
     "inference/bnserve_inference/modes_kernel/build.py": "run with `python -m`",
     "inference/bnserve_inference/moving_kernel/build.py": "run with `python -m`",
+    "surrogate/bnserve_surrogate/adjoint/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/kernel/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/precession/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/tangents/build.py": "run with `python -m`",

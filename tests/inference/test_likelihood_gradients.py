@@ -1,5 +1,7 @@
 """Gradients of ln L against differences of ln L, which share no formula with them."""
 
+import tracemalloc
+
 import numpy as np
 import pytest
 
@@ -14,6 +16,7 @@ from bnserve_protocol import (
     TimeMarginalisation,
     gradient_names,
 )
+from bnserve_protocol.wire import result_memory
 from bnserve_surrogate import Model
 from tests.inference.bases import RANGES, made_basis
 from tests.inference.networks import F_MAX, F_MIN, PRIOR, TRIGGER, columns, full, network
@@ -187,6 +190,50 @@ def test_rows_that_cannot_be_evaluated(model, data):
     assert bound.counts.rows == 12
     assert "reference_phase" not in found.names
     assert bound.gradients({name: given[name][:0] for name in given}).gradient.shape == (0, 12)
+
+
+class Forwards:
+    """A model that has derivatives of its modes, and nothing that takes any back."""
+
+    def __init__(self, model):
+        self.description, self.predict_modes, self.predict_factored = (
+            model.description,
+            model.predict_modes,
+            model.predict_factored,
+        )
+        self.predict_amplitude_phase, self.predict_derivatives = (
+            model.predict_amplitude_phase,
+            model.predict_derivatives,
+        )
+
+
+@pytest.mark.parametrize(
+    ("make", "options"),
+    [(binned, {}), (binned, MOVING | PHASE), (on_the_grid, PHASE | CALIBRATION), (on_the_grid, MOVING)],
+    ids=["bins", "bins that move", "full grid", "full grid that moves"],
+)
+def test_derivatives_of_a_model_forwards_say_the_same(several, heard, make, options):
+    analysis, batch = make(several, heard, **options), LikelihoodBatch.coerce(columns(6, width=0.25))
+    back, forwards = (likelihood(model, analysis).gradients(batch) for model in (several, Forwards(several)))
+    assert back.log_likelihood.tobytes() == forwards.log_likelihood.tobytes()
+    scale = np.abs(forwards.gradient).max(axis=0)
+    np.testing.assert_allclose(back.gradient / scale, forwards.gradient / scale, rtol=0.0, atol=1e-9)
+
+
+def test_a_gradient_holds_little_more_than_the_strain_twice(several, heard):
+    """What ln L changes by with each mode beside the modes; all derivatives would be six times the strain more."""
+    bound = likelihood(several, full(heard))
+    batch = LikelihoodBatch.coerce(columns(2, width=0.25))
+    strain, modes = 16 * len(bound.frequencies), len(several.description.modes)
+    result_memory.give_back()
+    bound.gradients(batch)
+    result_memory.give_back()
+    tracemalloc.start()
+    bound.gradients(batch)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    rows = min(len(batch), max(1, 2**18 // (len(bound.frequencies) * modes)))
+    assert most < 2.3 * strain * modes * rows
 
 
 def test_models_without_derivatives_are_refused(data):

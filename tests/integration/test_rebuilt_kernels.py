@@ -14,6 +14,7 @@ import bnserve_inference.fisher_kernel._assembly as factorisation
 import bnserve_inference.kernel._contraction as contraction
 import bnserve_inference.modes_kernel._contraction as contraction_of_modes
 import bnserve_inference.moving_kernel._contraction as contraction_of_moving
+import bnserve_surrogate.adjoint._call as adjoint_of_modes
 import bnserve_surrogate.kernel._evaluate as surrogate
 import bnserve_surrogate.kernel._loader as loader
 import bnserve_surrogate.precession._twist as precession
@@ -96,6 +97,17 @@ def test_the_derivatives_are_what_their_sources_compile_to(tmp_path, monkeypatch
     with monkeypatch.context() as patch:
         patch.setattr(tangents, "load_tangents", lambda: again)
         assert_close(shipped, model.predict_derivatives(f, batch).derivatives)
+
+
+def test_the_adjoint_of_modes_is_what_its_sources_compile_to(tmp_path, monkeypatch):
+    file = rebuilt("bnserve_surrogate.adjoint.build", adjoint_of_modes.ASSEMBLY, tmp_path)
+    again = loader.load_assembly(file, adjoint_of_modes.ENTRY_POINT, vectorise=False)
+    model, f, batch = Model.default(), np.geomspace(3.0, 2700.0, 300), ParameterBatch(random_batch(11))
+    found = model.predict_pullback(f, batch)
+    shipped = found.pull_back(found.h)
+    with monkeypatch.context() as patch:
+        patch.setattr(adjoint_of_modes, "load_adjoint", lambda: again)
+        assert_close(shipped, found.pull_back(found.h))
 
 
 def test_the_contraction_is_what_its_sources_compile_to(tmp_path, monkeypatch):

@@ -7,12 +7,13 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from bnserve_inference.adjoint_kernel._layout import SUMS, TANGENTS, Argument, Buffer, Geometry, Shared, Sum
+from bnserve_inference.adjoint_kernel._layout import Argument, Buffer, Geometry, Shared
 from bnserve_inference.adjoint_kernel._response import block_of
-from bnserve_inference.adjoint_kernel._sums import across, dot, split, times
+from bnserve_inference.adjoint_kernel._sums import across, dot, times
 from bnserve_inference.kernel._sums import Floats, Integers
 from bnserve_inference.modes_kernel._layout import Argument as Modes
 from bnserve_inference.moving_kernel._layout import Coefficient
+from bnserve_surrogate.adjoint._sums import load_complex, split
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._memory import floats_at, floats_in, load, padded, store, store_complex
@@ -117,7 +118,8 @@ def errors_to_nodes(row: int, d: int, first: int, size: int, arguments: Integers
 def waves_back(
     row: int, first: int, filled: int, arguments: Integers, shared: Floats, own: Floats, mode: int, waves: Floats
 ) -> None:
-    """The bar of a mode's strain at a block, conjugated, and what is summed of those of its factors."""
+    """The bar of a mode's strain at a block, conjugated, and what is summed of those of its factors; ``waves`` is where
+    it goes, or is added to."""
     modes, points = arguments[Modes.MODES], arguments[Modes.POINTS]
     plus = floats_at(arguments[Modes.PLUS] + 8 * (modes * row + mode), 1)[0]
     cross = floats_at(arguments[Modes.CROSS] + 16 * (modes * row + mode), 2)
@@ -125,28 +127,20 @@ def waves_back(
     h = floats_at(arguments[Modes.STRAIN] + 16 * ((modes * row + mode) * points + first), 2 * filled)
     out = floats_at(arguments[Argument.FACTORS_BAR] + 32 * (modes * row + mode), 4)
     lanes = block_of(shared, Shared.WORK)
-    split(h, filled, padded(filled), shared)
+    split(filled, h, block_of(shared, Shared.WAVE), block_of(shared, Shared.WAVE + 1))
     a, b, c, d = splat(0.0), splat(0.0), splat(0.0), splat(0.0)
     for j in range(0, filled, LANES):
         pr, pi = load(block_of(own, Buffer.PLUS_BAR), j), load(block_of(own, Buffer.PLUS_BAR + 1), j)
         xr, xi = load(block_of(own, Buffer.CROSS_BAR), j), load(block_of(own, Buffer.CROSS_BAR + 1), j)
         hr, hi = load(block_of(shared, Shared.WAVE), j), load(block_of(shared, Shared.WAVE + 1), j)
-        store_complex(waves, j, fma(pr, plus, fma(xr, cr, xi * -ci)), fma(pi, -plus, fma(xi, -cr, xr * -ci)))
+        real, imaginary = fma(pr, plus, fma(xr, cr, xi * -ci)), fma(pi, -plus, fma(xi, -cr, xr * -ci))
+        if arguments[Argument.ADD] == 1:
+            before = load_complex(waves, j)
+            real, imaginary = real + before[0], imaginary + before[1]
+        store_complex(waves, j, real, imaginary)
         a, b = a + (pr * hr - pi * hi), b + fma(pr, hi, pi * hr)
         c, d = c + (xr * hr - xi * hi), d + fma(xr, hi, xi * hr)
     out[0] += across(a, lanes)
     out[1] += across(b, lanes)
     out[2] += across(c, lanes)
     out[3] += across(d, lanes)
-
-
-@njit(**JIT_OPTIONS)
-def binary_back(row: int, arguments: Integers, waves: Floats, lanes: Floats) -> None:
-    """Derivatives by the parameters of the binary: the bars of all modes' strains times their derivatives."""
-    modes, points = arguments[Modes.MODES], arguments[Modes.POINTS]
-    out = floats_at(arguments[Argument.SUMS] + 8 * SUMS * row, SUMS)
-    for mode in range(modes):
-        own = floats_in(waves, 2 * padded(points) * mode, 2 * points)
-        for place in range(TANGENTS):
-            at = arguments[Argument.TANGENTS_AT] + 16 * points * ((modes * row + mode) * TANGENTS + place)
-            out[Sum.BINARY + place] += dot(own, floats_at(at, 2 * points), 2 * points, lanes)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference.adjoint_kernel._layout import ARGUMENTS, SUMS, TANGENTS, scratch_size
+from bnserve_inference.adjoint_kernel._layout import ARGUMENTS, SUMS, scratch_size
 from bnserve_inference.moving_kernel import MovingContraction
 from bnserve_protocol import Analysis
 from bnserve_protocol.wire import address_of
@@ -46,13 +46,14 @@ class Bars(NamedTuple):
 class PulledBack(NamedTuple):
     """What ln L changes by with a signal and its place, of N rows.
 
-    ``binary`` ``(N, 6)``, with the parameters that the strain's derivatives are by; ``sky`` ``(N, 4)``, with right
+    ``waves``, complex ``(N, L, M)``, with the strain of each mode: with its real part by the real part, with its
+    imaginary part by the imaginary part; ``sky`` ``(N, 4)``, with right
     ascension, declination, polarisation angle and time; ``factors``, complex ``(N, L, 2)``, with what the modes count
     in plus and cross polarisation; ``passing`` ``(N, G, M)``, with when each group passes the frequencies, where that
     was given; ``errors``, two of ``(N, D, nodes)``, with calibration errors of amplitude and phase.
     """
 
-    binary: Floats
+    waves: Complex
     sky: Floats
     factors: Complex
     passing: Floats | None
@@ -72,12 +73,11 @@ class Adjoint(MovingContraction):
 
     def __init__(self, analysis: Analysis, group_of: Sequence[int]) -> None:
         super().__init__(_with_common_nodes(analysis), group_of)
-        own = scratch_size(self._detectors, self._groups)
-        self._scratch_size = own + 2 * self._modes * self._width
+        self._scratch_size = scratch_size(self._detectors, self._groups)
         self._moves = analysis.settings.moves
 
     def pull_back(
-        self, h: Complex, plus: Floats, cross: Complex, tangents: Complex, calibration: tuple[Floats, Floats] | None,
+        self, h: Complex, plus: Floats, cross: Complex, calibration: tuple[Floats, Floats] | None,
         bars: Sequence[Bars], passing: Floats | None,
     ) -> PulledBack:  # fmt: skip
         """The derivatives for N rows, summed over all ``bars``.
@@ -86,8 +86,6 @@ class Adjoint(MovingContraction):
         ----------
         h, plus, cross, calibration, passing
             As :meth:`MovingContraction.inner_products` takes them.
-        tangents
-            Derivatives of ``h`` by the parameters of the binary, complex ``(N, L, 6, M)``.
         bars
             Of all places that inner products were evaluated for.
         """
@@ -97,18 +95,22 @@ class Adjoint(MovingContraction):
         errors, given = (np.zeros(shape), np.zeros(shape)), calibration or (np.zeros(shape), np.zeros(shape))
         found = np.zeros((rows, self._groups, points)) if passing is not None else None
         turning = np.empty((rows, self._groups, self._width)) if self._moves else None
-        tangents = np.ascontiguousarray(tangents, np.complex128)
-        for each in bars:
+        waves = np.empty((rows, modes, self._width), dtype=np.complex128)
+        for place, each in enumerate(bars):
             products, pairs = (np.ascontiguousarray(array, np.complex128) for array in (each.products, each.pairs))
-            held = (products, pairs, tangents, sums, factors)
-            own = [address_of(products), int(each.by_node), *map(address_of, held[1:])]
-            own += [0 if turning is None else address_of(turning), *map(address_of, errors)]
+            own = [address_of(products), int(each.by_node), address_of(pairs), address_of(waves), int(place > 0)]
+            own += [
+                address_of(sums),
+                address_of(factors),
+                0 if turning is None else address_of(turning),
+                *map(address_of, errors),
+            ]
             times = 1 if each.by_node else products.shape[2]
             asked = given if self._calibration_nodes else None
             self.inner_products(h, plus, cross, each.sky, asked, times, each.step, passing=passing, more=own)
             if found is not None and turning is not None:
                 found += turning[:, :, :points]
-        return PulledBack(sums[:, :TANGENTS], sums[:, TANGENTS:], factors, found, errors)
+        return PulledBack(waves[:, :, :points], sums, factors, found, errors)
 
     def _loaded(self) -> Callable[[int, int, int], int]:
         return load_adjoint()

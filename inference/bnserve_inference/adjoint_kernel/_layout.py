@@ -9,8 +9,6 @@ from bnserve_surrogate.kernel._layout import LANES
 
 BLOCK = 128
 """Nodes that are worked on at once, all of whose buffers stay near the processor."""
-TANGENTS = 6
-"""Derivatives that a model has: of the parameters of a binary alone."""
 
 
 class Argument(IntEnum):
@@ -26,8 +24,10 @@ class Argument(IntEnum):
     """1 for the second."""
     PAIRS_BAR = auto()
     """complex128 ``(ROWS, P)``, of <h|h'>."""
-    TANGENTS_AT = auto()
-    """complex128 ``(ROWS, MODES, 6, J)``: derivatives of the strain."""
+    WAVES_BAR = auto()
+    """complex128 ``(ROWS, MODES, padded J)``, of the strain, conjugated: by its real and by its imaginary part."""
+    ADD = auto()
+    """1 where they are added to what is there."""
     SUMS = auto()
     """float64 ``(ROWS, SUMS)``: what was asked for. See :class:`Sum`."""
     FACTORS_BAR = auto()
@@ -45,15 +45,13 @@ ARGUMENTS = moving_kernel.ARGUMENTS + len(Argument)
 class Sum(IntEnum):
     """Derivatives of ln L, by row."""
 
-    BINARY = 0
-    """The first of six, those of the strain's derivatives."""
-    RIGHT_ASCENSION = TANGENTS
+    RIGHT_ASCENSION = 0
     DECLINATION = auto()
     POLARIZATION = auto()
     TIME = auto()
 
 
-SUMS = TANGENTS + 4
+SUMS = 4
 
 
 class Buffer(IntEnum):

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from numba import njit
 
-from bnserve_inference.adjoint_kernel._back import binary_back, errors_back, errors_to_nodes, pull_back, waves_back
+from bnserve_inference.adjoint_kernel._back import errors_back, errors_to_nodes, pull_back, waves_back
 from bnserve_inference.adjoint_kernel._layout import (
     BLOCK,
     GEOMETRY,
@@ -24,7 +24,8 @@ from bnserve_inference.adjoint_kernel._layout import (
 )
 from bnserve_inference.adjoint_kernel._passing import passing_back
 from bnserve_inference.adjoint_kernel._response import add_arm, block_of, clear_patterns, fill_geometry, short_patterns
-from bnserve_inference.adjoint_kernel._sums import add_fixed, add_mode, add_pair, add_splined, respond, slopes_at, split
+from bnserve_inference.adjoint_kernel._standing import pull_back_standing, respond_standing
+from bnserve_inference.adjoint_kernel._sums import add_fixed, add_mode, add_pair, add_splined, respond, slopes_at
 from bnserve_inference.kernel._layout import Sky
 from bnserve_inference.kernel._sums import Floats, Integers, errors_at, spline_at
 from bnserve_inference.modes_kernel._layout import Argument as Modes
@@ -32,6 +33,7 @@ from bnserve_inference.moving_kernel._layout import COEFFICIENTS, Coefficient
 from bnserve_inference.moving_kernel._layout import Argument as Moving
 from bnserve_inference.moving_kernel._passing import find_passing
 from bnserve_inference.moving_kernel._response import coefficients
+from bnserve_surrogate.adjoint._sums import split
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
 from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, load, padded, store
@@ -76,7 +78,9 @@ def _polarise(row: int, first: int, size: int, arguments: Integers, passing: Flo
         _begin(own, floats_in(passing, g * width + first, size), rate, size, arguments[Moving.MOVES])
     for a in range(modes):
         own, start, filled = _own(buffers, group_of[a]), 2 * (a * points + first), min(size, points - first)
-        split(floats_in(wave, start, 2 * filled), filled, size, floats_in(buffers, 0, SHARED_BUFFERS * BLOCK))
+        shared = floats_in(buffers, 0, SHARED_BUFFERS * BLOCK)
+        real, imaginary = block_of(shared, Shared.WAVE), block_of(shared, Shared.WAVE + 1)
+        split(filled, floats_in(wave, start, 2 * filled), real, imaginary)
         add_mode(plus[a], cross[2 * a], cross[2 * a + 1], size, floats_in(buffers, 0, SHARED_BUFFERS * BLOCK), own)
 
 
@@ -112,9 +116,7 @@ def _fill_bars(row: int, g: int, k: int, first: int, size: int, arguments: Integ
     if arguments[Argument.BY_NODE] == 1:
         filled = min(size, points - first)
         line = floats_at(arguments[Argument.PRODUCTS_BAR] + 16 * ((row * groups + g) * points + first), 2 * filled)
-        real[:], imaginary[:] = 0.0, 0.0
-        for j in range(filled):
-            real[j], imaginary[j] = line[2 * j], line[2 * j + 1]
+        split(filled, line, real, imaginary)
     else:
         bar = floats_at(arguments[Argument.PRODUCTS_BAR] + 16 * ((row * groups + g) * times + k), 2)
         for j in range(0, size, LANES):
@@ -184,8 +186,12 @@ def _in_detector(
     f = floats_in(floats_at(arguments[Modes.NODES], padded(arguments[Modes.POINTS])), first, size)
     shared = floats_in(buffers, 0, SHARED_BUFFERS * BLOCK)
     _calibrate(row, d, first, size, arguments, shared)
+    stands = arguments[Moving.MOVES] == 0 and k[Coefficient.X_ARM + 3] == 0.0
     for g in range(groups):
         own = _own(buffers, g)
+        if stands:
+            respond_standing(k, nodes > 0, size, shared, own)
+            continue
         if k[Coefficient.X_ARM + 3] > 0.0:
             clear_patterns(own)
             add_arm(k, Coefficient.X_ARM, 1.0, f, size, own)
@@ -199,7 +205,10 @@ def _in_detector(
         _through_pairs(row, d, g, first, size, arguments, buffers)
         if nodes > 0:
             errors_back(size, shared, own)
-        pull_back(f, k, geometry, size, shared, own, block_of(shared, Shared.WORK))
+        if stands:
+            pull_back_standing(k, geometry, nodes > 0, size, shared, own, block_of(shared, Shared.WORK))
+        else:
+            pull_back(f, k, geometry, size, shared, own, block_of(shared, Shared.WORK))
     if nodes > 0:
         errors_to_nodes(row, d, first, size, arguments, shared)
 
@@ -261,15 +270,15 @@ def pull(arguments: Integers) -> int:
     detectors, groups, modes = arguments[Modes.DETECTORS], arguments[Modes.GROUPS], arguments[Modes.MODES]
     width, room = padded(arguments[Modes.POINTS]), (GROUP_BUFFERS * groups + SHARED_BUFFERS) * BLOCK
     own = (COEFFICIENTS + GEOMETRY) * detectors
-    scratch = floats_at(arguments[Modes.SCRATCH], own + room + 2 * width * modes)
+    scratch = floats_at(arguments[Modes.SCRATCH], own + room)
     found = floats_in(scratch, 0, COEFFICIENTS * detectors)
     geometries = floats_in(scratch, COEFFICIENTS * detectors, GEOMETRY * detectors)
-    buffers, waves = floats_in(scratch, own, room), floats_in(scratch, own + room, 2 * width * modes)
-    lanes = block_of(buffers, Shared.WORK)
+    buffers = floats_in(scratch, own, room)
     for row in range(arguments[Modes.ROWS]):
         arrival = floats_at(arguments[Modes.SKY] + 8 * _COLUMNS * row, _COLUMNS)[Sky.TIME]
         _place(row, arguments, found, geometries)
         passing = find_passing(row, arguments)
+        waves = floats_at(arguments[Argument.WAVES_BAR] + 16 * width * modes * row, 2 * width * modes)
         for first in range(0, width, BLOCK):
             size = min(BLOCK, width - first)
             _polarise(row, first, size, arguments, passing, buffers)
@@ -281,5 +290,4 @@ def pull(arguments: Integers) -> int:
         _sky_back(row, arguments, found, geometries)
         if arguments[Argument.PASSING_BAR] != 0 and arguments[Moving.PASSING_STRIDE] == 0:
             passing_back(row, arguments, waves)
-        binary_back(row, arguments, waves, lanes)
     return 0

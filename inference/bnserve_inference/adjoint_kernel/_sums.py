@@ -105,18 +105,6 @@ def add_pair(br: Floats, bi: Floats, q: Any, conjugate: float, size: int, shared
 
 
 @njit(**JIT_OPTIONS)
-def split(wave: Floats, filled: int, size: int, shared: Floats) -> None:
-    """Real and imaginary parts of a mode's strain, and zero beyond it."""
-    real, imaginary = block_of(shared, Shared.WAVE), block_of(shared, Shared.WAVE + 1)
-    for j in range(filled):
-        real[j] = wave[2 * j]
-        imaginary[j] = wave[2 * j + 1]
-    for j in range(filled, size):
-        real[j] = 0.0
-        imaginary[j] = 0.0
-
-
-@njit(**JIT_OPTIONS)
 def add_mode(plus: float, cr: float, ci: float, size: int, shared: Floats, own: Floats) -> None:
     """Add the mode that was split to the polarisations of its group."""
     for j in range(0, size, LANES):

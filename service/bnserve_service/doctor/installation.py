@@ -64,9 +64,11 @@ def _installed(distribution: str) -> str | None:
 def kernels() -> Findings:
     """The compiled code of waveforms and of likelihoods can be loaded on this processor."""
     from bnserve_inference import adjoint_kernel, fisher_kernel, kernel, modes_kernel, moving_kernel
+    from bnserve_surrogate import adjoint
     from bnserve_surrogate.kernel import load_kernel
 
     load_kernel()
+    adjoint.load_adjoint()
     kernel.load_contraction()
     modes_kernel.load_contraction()
     moving_kernel.load_contraction()

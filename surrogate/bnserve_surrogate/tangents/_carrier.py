@@ -63,12 +63,20 @@ def gauge_of(state: Row, which: int) -> Floats:
 
 
 @njit(**JIT_OPTIONS)
-def prepare_splines(state: Row) -> None:
-    """The cubics of both splines and of their derivatives; and those of the coefficients of the series."""
+def prepare_tangents(state: Row) -> None:
+    """The cubics of both splines and of all their derivatives; and derivatives of the coefficients of the series."""
+    prepare_splines(state, 1 + INTRINSIC)
+    prepare_coefficients(state)
+
+
+@njit(**JIT_OPTIONS)
+def prepare_splines(state: Row, sets: int) -> None:
+    """The cubics of both splines, of so many of the value and its derivatives, and of that with respect to the total
+    mass."""
     n_a, n_p, _ = state.sizes
     knots_a = floats_in(state.weights, state.contents[Entry.AMPLITUDE_KNOTS_AT], ANY)
     knots_p = floats_in(state.weights, state.contents[Entry.PHASE_KNOTS_AT], ANY)
-    for which in range(1 + INTRINSIC):
+    for which in range(sets):
         linear = linear_of(state, which)
         a, p = cubics_of(state, which)
         fill_cells(linear, floats_in(linear, n_a, n_a), knots_a, state.contents[Entry.AMPLITUDE_NODES] - 1, n_a, a)
@@ -79,6 +87,11 @@ def prepare_splines(state: Row) -> None:
     da, dp = cubics_of(state, 1 + MASS)
     fill_slopes(a, n_a, over_mass, da)
     fill_slopes(p, n_p, over_mass, dp)
+
+
+@njit(**JIT_OPTIONS)
+def prepare_coefficients(state: Row) -> None:
+    """Derivatives of the coefficients of the series."""
     work = complexes_in(state.coefficients[0], 0, (PHASE_LOG_POWERS, PHASE_POWERS))
     fill_phase_tangents(state.row, work, floats_in(state.coefficients[0], 2 * WORK, INTRINSIC * WORK))
     room = complexes_in(state.coefficients[1], 0, AMPLITUDE_POWERS)
@@ -110,16 +123,26 @@ def series_of(state: Row, which: int) -> Floats:
 
 @njit(**JIT_OPTIONS)
 def prepare_carrier(state: Row, mass: float) -> tuple[int, int, int, int]:
-    """Series for a ``mass`` in seconds, and the cells' ends; where band, end and freezing begin."""
+    """As :func:`place_carrier`, and the series of all derivatives."""
     row, alignment = state.row, state.arguments[Argument.ALIGNMENT]
+    places, value = place_carrier(state, mass), series_of(state, 0)
     band = floats_in(state.weights, state.contents[Entry.BAND_AT], 3)
-    value, room = series_of(state, 0), buffer(state.buffers, 0)
-    value[FROZEN] = fill_series(row, mass, band, gauge_of(state, 0), alignment, room, value)
     phase = floats_in(state.coefficients[0], 2 * WORK, INTRINSIC * WORK)
     amplitude = floats_in(state.coefficients[1], 2 * LANES, INTRINSIC * LANES)
     for p in range(INTRINSIC):
         own = series_of(state, 1 + p)
         fill_tangent_series(p, row, mass, band, gauge_of(state, 1 + p), alignment, value, amplitude, phase, own)
+    return places
+
+
+@njit(**JIT_OPTIONS)
+def place_carrier(state: Row, mass: float) -> tuple[int, int, int, int]:
+    """Series for a ``mass`` in seconds, of the value and its derivative with respect to the total mass, and the cells'
+    ends; where band, end and freezing begin."""
+    row, alignment = state.row, state.arguments[Argument.ALIGNMENT]
+    band = floats_in(state.weights, state.contents[Entry.BAND_AT], 3)
+    value, room = series_of(state, 0), buffer(state.buffers, 0)
+    value[FROZEN] = fill_series(row, mass, band, gauge_of(state, 0), alignment, room, value)
     fill_mass_series(row, mass, gauge_of(state, 0), alignment, value, series_of(state, 1 + MASS))
     _, places = prepared_grid(state.arguments)
     shift = np.log(mass)
@@ -133,8 +156,8 @@ def prepare_carrier(state: Row, mass: float) -> tuple[int, int, int, int]:
 
 
 @njit(**JIT_OPTIONS)
-def prepare_top(state: Row, mass: float) -> None:
-    """What is known where the band ends: of the value and of every derivative ln A, phi, and d phi / d x."""
+def prepare_top(state: Row, mass: float, sets: int) -> None:
+    """What is known where the band ends, of so many of the value and its derivatives: ln A, phi, and d phi / d x."""
     band = floats_in(state.weights, state.contents[Entry.BAND_AT], 3)
     top, out, one = band[1], state.top, state.one
     f, log_f = floats_in(one, 0, LANES), floats_in(one, LANES, LANES)
@@ -147,7 +170,7 @@ def prepare_top(state: Row, mass: float) -> None:
     store(power, 0, splat(there ** (-5.0 / 3.0)))
     scratch = buffer(state.buffers, Buffer.BARE)
     n_a, n_p, _ = state.sizes
-    for which in range(SETS):
+    for which in range(sets):
         a, p = cubics_of(state, which)
         series = series_of(state, which)
         out[3 * which] = _end(state, a, n_a, Entry.AMPLITUDE_NODES, Entry.AMPLITUDE_KNOTS_AT, np.log(top), False)
@@ -164,6 +187,8 @@ def prepare_top(state: Row, mass: float) -> None:
         plain, logarithmic = floats_in(scratch, PLAIN, 16), floats_in(scratch, LOGARITHMIC, 10)
         phases(f, log_f, cbrt_f, power, 1, plain, logarithmic, residual, found)
         out[3 * which + 2] = found[0] / top
+    if sets < SETS:
+        return
     # Along the line a phase that is a function of M f has M d/dM = x d/dx, all of it from its slope.
     over_mass = 1.0 / state.row[Column.TOTAL_MASS]
     out[3 * (1 + MASS)] = (2.0 - 10.0 / 3.0) * over_mass
@@ -183,9 +208,10 @@ def _end(state: Row, cubics: Floats, stride: int, nodes: int, knots_at: int, log
 @njit(**JIT_OPTIONS)
 def fill_block(
     state: Row, mass: float, start: int, inside: int, places: tuple[int, int, int, int], cells: tuple[int, int],
-    values: bool,
+    sets: tuple[int, int],
 ) -> Any:  # fmt: skip
-    """The derivatives for the frequencies ``start`` to ``inside``, and, if ``values``, A and phi.
+    """The derivatives from the first to before the second of two ``sets``, for the frequencies ``start`` to ``inside``;
+    of set 0, the value, A and phi.
 
     ``places`` are what :func:`prepare_carrier` returned; returns the last cells that were used.
     """
@@ -207,7 +233,7 @@ def fill_block(
     )
     sizes, shift, after = (state.sizes[0], state.sizes[1]), np.log(mass), cells
     over_mass = 1.0 / state.row[Column.TOTAL_MASS]
-    for which in range(0 if values else 1, SETS):
+    for which in range(sets[0], sets[1]):
         a, p = _buffers(state, which)
         if below > start:
             _extend(state, which, f, below - start, mass, band[0], over_mass, a, p)

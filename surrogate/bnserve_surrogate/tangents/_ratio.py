@@ -57,10 +57,11 @@ def _cubics(room: Floats, count: int, which: int) -> tuple[Floats, Floats]:
 
 
 @njit(**JIT_OPTIONS)
-def prepare_ratio(state: Row, mode: Integers, shift: float, stop: int) -> None:
-    """Cubics of a ratio and its derivatives, and where on the grid its knots lie."""
+def prepare_ratio(state: Row, mode: Integers, shift: float, stop: int, sets: int) -> None:
+    """Cubics of a ratio, of so many of the value and its derivatives and of that with respect to the total mass, and
+    where on the grid its knots lie."""
     room, places, ends, knots, count, nodes = _views(state, mode)
-    for which in range(1 + INTRINSIC):
+    for which in range(sets):
         linear, cubics = _linear(state, mode, count, which), _cubics(room, count, which)
         fill_cells(linear, floats_in(linear, count, count), knots, nodes - 1, count, cubics[0])
         values, curvatures = floats_in(linear, 2 * count, count), floats_in(linear, 3 * count, count)

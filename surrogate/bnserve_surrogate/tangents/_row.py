@@ -28,8 +28,8 @@ from bnserve_surrogate.kernel._row import prepared_grid
 from bnserve_surrogate.kernel._simd import smaller
 from bnserve_surrogate.kernel.modes._sums import turn
 from bnserve_surrogate.kernel.modes._synthesis import COEFFICIENTS, plan_mode
-from bnserve_surrogate.tangents._carrier import fill_block, prepare_carrier, prepare_splines, prepare_top
-from bnserve_surrogate.tangents._layout import BLOCK, MASS, TANGENTS, Buffer
+from bnserve_surrogate.tangents._carrier import fill_block, prepare_carrier, prepare_tangents, prepare_top
+from bnserve_surrogate.tangents._layout import BLOCK, INTRINSIC, MASS, SETS, TANGENTS, Buffer
 from bnserve_surrogate.tangents._points import split, write_carrier, write_mode, zeros
 from bnserve_surrogate.tangents._ratio import fill_ratio_tangent, prepare_ratio
 from bnserve_surrogate.tangents._room import Row, buffer
@@ -43,7 +43,7 @@ _QUADRUPOLE = 2
 @njit(**JIT_OPTIONS)
 def evaluate_row(i: int, state: Row) -> None:
     """All modes of row ``i``; those of one m together, because they have one carrier."""
-    prepare_splines(state)
+    prepare_tangents(state)
     mass = state.row[Column.TOTAL_MASS] * SOLAR_MASS_SECONDS
     if state.arguments[Argument.MODES] == 0:
         _order(i, _QUADRUPOLE, 0, 0, mass, state)
@@ -68,19 +68,19 @@ def _order(i: int, order: int, first: int, last: int, whole_mass: float, state: 
     stop = locate(*grid_places, np.log(band[1] * (1.0 + EDGE)) - np.log(whole_mass))
     places = prepare_carrier(state, mass)
     if places[1] < stop:
-        prepare_top(state, mass)
+        prepare_top(state, mass, SETS)
     ratios = False
     for k in range(first, last):
         mode = plan_mode(integers_at(state.arguments[Argument.MODES], ANY), k)
         if mode[PlanMode.POWER] > 0:
             ratios = True
-            prepare_ratio(state, mode, np.log(mass), stop)
+            prepare_ratio(state, mode, np.log(mass), stop, 1 + INTRINSIC)
     cells = (0, 0)
     for start in range(0, points, BLOCK):
         end = min(start + BLOCK, points)
         inside = min(max(stop, start), end)
         if inside > start:
-            cells = fill_block(state, mass, start, inside, places, cells, ratios)
+            cells = fill_block(state, mass, start, inside, places, cells, (0 if ratios else 1, SETS))
             if ratios:
                 amplitude, phase = buffer(state.buffers, Buffer.AMPLITUDE), buffer(state.buffers, Buffer.PHASE)
                 turn(inside - start, 0.5 * order, amplitude, phase)
