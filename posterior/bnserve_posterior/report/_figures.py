@@ -50,8 +50,8 @@ def all_figures(outcome: Outcome) -> Iterator[tuple[str, Any]]:
     with _style():
         yield "The posterior: contours hold 50 and 90 %" + _lines(outcome), corner_figure(outcome)
         yield (
-            f"Whitened data of each detector, {_BAND[0]:g} to {_BAND[1]:g} Hz, around the merger at the detector, and "
-            f"the signals of {_CURVES} samples of the posterior over each other",
+            f"Whitened data of each detector, {_BAND[0]:g} to {_BAND[1]:g} Hz, around the time at which the signal is "
+            f"largest in that band, and the signals of {_CURVES} samples of the posterior over each other",
             data_figure(outcome),
         )
         yield "What each detector says: ln L by detector over the samples of the posterior", budget_figure(outcome)
@@ -122,8 +122,8 @@ def data_figure(outcome: Outcome) -> Any:
                 label = "signals of the posterior" if place == 1 else None
                 axis.plot(since[near], values[near], color=_BLUE, lw=1.0, alpha=0.4, label=label)
         axis.set_ylabel(f"{data.name} [sigma]")
-    axes[0].legend(loc="upper left")
-    axes[-1].set_xlabel("time to the largest amplitude at the detector [s]")
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside upper left", ncols=2)
+    axes[-1].set_xlabel("time from the largest amplitude at the detector [s]")
     return figure
 
 
@@ -183,7 +183,7 @@ def budget_figure(outcome: Outcome) -> Any:
     for name, colour in zip(names, (_BLUE, _ORANGE, "#009e73", "#cc79a7", _GREY), strict=False):
         axis.hist(values[f"{name}_log_likelihood"], bins=60, histtype="step", lw=1.8, color=colour, label=name)
     axis.set(xlabel="ln L of the detector", ylabel="samples", yscale="log")
-    axis.legend()
+    figure.legend(loc="outside upper left", ncols=len(names))
     return figure
 
 
