@@ -32,7 +32,7 @@ def test_forecasts_are_as_wide_as_what_was_sampled(model, case, number):
             assert abs(errors[name] / found["sampled"][name] - 1.0) < WITHIN[case]
 
 
-@pytest.mark.parametrize("case", ["two_sites"])
+@pytest.mark.parametrize("case", ["two_sites", "all_modes"])
 def test_where_the_einstein_telescope_is_not_alone_all_is_gaussian(case):
     found = [result["skewness"].values() for (name, _), result in SAMPLED.items() if name == case]
     assert max(abs(one) for skewness in found for one in skewness) <= GAUSSIAN
