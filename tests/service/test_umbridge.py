@@ -170,6 +170,8 @@ WRONG = {
     "a short direction": ("ApplyJacobian", JACOBIAN | {"vec": [1.0]}),
     "no direction": ("ApplyJacobian", GRADIENT),
     "a direction of NaN": ("ApplyJacobian", JACOBIAN | {"vec": [np.nan] * len(NAMES)}),
+    "a factor beyond numbers": ("Gradient", GRADIENT | {"sens": [1e300]}),
+    "a direction beyond numbers": ("ApplyJacobian", JACOBIAN | {"vec": [-1e308] * len(NAMES)}),
     "no input": ("ApplyJacobian", JACOBIAN | {"input": []}),
 }
 

@@ -14,6 +14,8 @@ from bnserve_service.errors import UMBRIDGE
 PREFIX = UMBRIDGE
 """Of the paths; a client is given what is before the last ``/``."""
 PROTOCOL_VERSION = 1.0
+_LARGEST = 1e100
+"""Of factors and directions."""
 _MOST_NAMES = 64
 """As in :mod:`bnserve_protocol.wire`: more than there are, so that the answer can still say which is unknown."""
 
@@ -88,6 +90,10 @@ class UmBridgeDerivativeRequest(UmBridgeEvaluateRequest, frozen=True, rename="ca
             raise InvalidRequest("There is one input vector and one output vector: outWrt and inWrt are 0.")
         if len(numbers) != length:
             raise InvalidRequest(f"'{name}' has {length} numbers here; got {len(numbers)}.")
+        if any(abs(number) > _LARGEST for number in numbers):
+            raise InvalidRequest(
+                f"The numbers of '{name}' are {_LARGEST:g} at most, or derivatives times them are none."
+            )
 
 
 class UmBridgeGradientRequest(UmBridgeDerivativeRequest, frozen=True, rename="camel"):
