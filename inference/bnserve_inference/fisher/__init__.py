@@ -6,7 +6,7 @@ from bnserve_inference.fisher._loudness import signal_to_noise
 from bnserve_inference.fisher._network import Network, NoiseCurve
 from bnserve_inference.fisher._population import as_samples, read_population
 from bnserve_inference.fisher._runs import forecast_catalogue
-from bnserve_inference.fisher._summary import draw_forecasts, summary
+from bnserve_inference.fisher._summary import check_picture, draw_forecasts, summary
 from bnserve_protocol import FORECAST_COORDINATES as COORDINATES
 from bnserve_protocol import Forecast, ForecastOptions, SignalToNoise
 
@@ -18,6 +18,7 @@ __all__ = [
     "NoiseCurve",
     "SignalToNoise",
     "as_samples",
+    "check_picture",
     "draw_forecasts",
     "draw_population",
     "forecast",

@@ -34,6 +34,8 @@ def read_population(path: str | Path) -> dict[str, Floats]:
         The file is none of these.
     """
     file = Path(path)
+    if not file.is_file():
+        raise AnalysisInvalid(f"There is no file {file}: a catalogue is HDF5, or text with a line of names.")
     try:
         columns = _from_hdf5(file) if h5py.is_hdf5(file) else _from_text(file)
     except (OSError, ValueError, KeyError) as error:

@@ -155,6 +155,7 @@ def _write(
     output: Path, columns: dict[str, Floats], model: WaveformModel, network: Network, options: ForecastOptions
 ) -> None:
     """The file, whole or not at all."""
+    output.parent.mkdir(parents=True, exist_ok=True)
     draft = output.with_name(f".{output.name}.draft")
     try:
         with h5py.File(draft, "w") as file:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_protocol import RowStatus, require
+from bnserve_protocol import InvalidRequest, RowStatus, require
 from bnserve_store import replacing
 
 _LOUD = (8.0, 12.0, 100.0)
@@ -44,6 +44,27 @@ def summary(found: Mapping[str, NDArray[Any]]) -> dict[str, float]:
     return numbers
 
 
+def check_picture(path: Path) -> None:
+    """Whether a picture can have this name.
+
+    Raises
+    ------
+    InvalidRequest
+        Its ending is none of a picture that matplotlib draws.
+    PackageMissing
+        matplotlib is not installed.
+    """
+    known = _figure().canvas.get_supported_filetypes()
+    if path.suffix.removeprefix(".").lower() not in known:
+        raise InvalidRequest(f"A picture cannot be named '{path.name}': its name ends in {', '.join(sorted(known))}.")
+
+
+def _figure() -> Any:
+    return require("matplotlib.figure", "A picture of forecasts", "roq").Figure(
+        figsize=(9.0, 6.5), layout="constrained"
+    )
+
+
 def draw_forecasts(found: Mapping[str, NDArray[Any]], path: Path) -> None:
     """How many binaries are louder than so much, and how many of those that the network hears have smaller errors of
     distance and tides, and smaller areas of the sky.
@@ -53,18 +74,16 @@ def draw_forecasts(found: Mapping[str, NDArray[Any]], path: Path) -> None:
     found
         As :func:`forecast_catalogue` returns it.
     path
-        Of the picture, in a format that matplotlib has; written whole or not at all.
+        Of the picture, whose folders are made if need be; written whole or not at all.
 
     Raises
     ------
-    PackageMissing
-        matplotlib is not installed.
+    InvalidRequest, PackageMissing
+        As :func:`check_picture`.
     """
-    require("matplotlib", "A picture of forecasts", "roq")
-    from matplotlib.figure import Figure
-
+    check_picture(path)
     panels = {name: text for name, text in _PANELS.items() if name in found}
-    figure = Figure(figsize=(9.0, 6.5), layout="constrained")
+    figure = _figure()
     heard = found["snr"] > _LOUD[1]
     for axes, (name, label) in zip(figure.subplots(2, 2).ravel(), panels.items(), strict=False):
         values = np.sort(found[name][np.isfinite(found[name]) & (heard | (name == "snr"))])
@@ -77,5 +96,6 @@ def draw_forecasts(found: Mapping[str, NDArray[Any]], path: Path) -> None:
         axes.set_xlabel(label)
         axes.set_ylabel("binaries that are louder" if name == "snr" else f"of those above {_LOUD[1]:g}, with less")
         axes.grid(visible=True, alpha=0.3)
+    path.parent.mkdir(parents=True, exist_ok=True)
     with replacing(path) as temporary:
         figure.savefig(temporary, format=path.suffix.removeprefix(".") or "png", dpi=120)

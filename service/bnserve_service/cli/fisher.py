@@ -65,12 +65,18 @@ def run(options: argparse.Namespace) -> int:
     """Read, forecast, write, say."""
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS"):  # before numpy: the workers are many
         os.environ.setdefault(name, "1")
-    from bnserve_inference.fisher import ForecastOptions, as_samples, draw_forecasts, forecast_catalogue, summary
-    from bnserve_protocol import require
+    from bnserve_inference.fisher import (
+        ForecastOptions,
+        as_samples,
+        check_picture,
+        draw_forecasts,
+        forecast_catalogue,
+        summary,
+    )
     from bnserve_service.cli.places import check_place, open_model, print_json
 
     if options.plot is not None:
-        require("matplotlib", "The picture", "demo")
+        check_picture(options.plot)
         check_place(options.plot, "--plot")
     check_place(options.output, "--output")
     population = _population(options)

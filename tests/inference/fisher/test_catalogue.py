@@ -70,7 +70,7 @@ def test_what_is_no_catalogue_is_refused(tmp_path):
     file.write_text("some words\nand more")
     with pytest.raises(AnalysisInvalid, match="is no catalogue"):
         read_population(file)
-    with pytest.raises(AnalysisInvalid, match="missing"):
+    with pytest.raises(AnalysisInvalid, match=r"There is no file .*missing\.h5"):
         read_population(tmp_path / "missing.h5")
     file.write_text("mass_1,mass_2\n1,2,3\n")
     with pytest.raises(AnalysisInvalid, match="names 2 columns, and there are 3"):
@@ -88,8 +88,22 @@ def test_what_is_no_catalogue_is_refused(tmp_path):
 
 
 def run(text, tmp_path, *more):
-    command = ["fisher", str(text), "--output", str(tmp_path / "out.h5"), "--work", str(tmp_path / "runs")]
-    return main([*command, "--quadrupole", "--f-min", "20", "--no-progress", "--jobs", "1", *more])
+    return main([*options(text, tmp_path), *more])
+
+
+def test_folders_are_made_and_a_picture_that_is_none_is_refused_before_the_work(text, tmp_path, capsys):
+    picture = tmp_path / "made" / "too" / "out.pdf"
+    assert main([*options(text, tmp_path / "made"), "--plot", str(tmp_path / "out.txt")]) == 2
+    assert "A picture cannot be named 'out.txt': its name ends in" in capsys.readouterr().err
+    assert not (tmp_path / "made").exists()
+    assert main([*options(text, tmp_path / "made"), "--plot", str(picture)]) == 0
+    assert (tmp_path / "made" / "out.h5").exists()
+    assert picture.read_bytes()[:4] == b"%PDF"
+
+
+def options(text, folder):
+    command = ["fisher", str(text), "--output", str(folder / "out.h5"), "--work", str(folder / "runs")]
+    return [*command, "--quadrupole", "--f-min", "20", "--no-progress", "--jobs", "1"]
 
 
 def test_the_command_writes_says_and_goes_on(text, tmp_path, capsys):
