@@ -9,7 +9,7 @@ from bnserve_inference import Detector, gwosc_segment
 from bnserve_posterior.data import load_data, noise_curve, segment_start
 from bnserve_posterior.events import EventInvalid, read_event
 from bnserve_posterior.report._figures import whitened
-from bnserve_protocol import AnalysisInvalid
+from bnserve_protocol import AnalysisInvalid, OutOfDomain
 from bnserve_surrogate import Model
 from tests.posterior.networks import SMALL, TRIGGER, event
 
@@ -107,6 +107,15 @@ def test_noise_is_seeded(model):
 def test_an_injection_without_a_distance_is_refused(model):
     with pytest.raises(EventInvalid, match="no distance"):
         load_data(event(data__injection__snr=None), model)
+
+
+@pytest.mark.parametrize(
+    ("name", "error", "words"),
+    [("theta_jn", EventInvalid, "from 0 to pi; got 150"), ("dec", OutOfDomain, "declination of 150")],
+)
+def test_an_injection_in_degrees_is_refused(model, name, error, words):
+    with pytest.raises(error, match=words):
+        load_data(event(**{f"data__injection__parameters__{name}": 150.0}), model)
 
 
 def test_a_detector_may_have_a_band_and_notches_of_its_own(model):

@@ -143,10 +143,12 @@ def _simulated(event: Event, model: WaveformModel, modes: tuple[Mode, ...] | Non
         parameters["luminosity_distance"] = _ANY_DISTANCE
     elif "luminosity_distance" not in injection.parameters:
         raise EventInvalid("The injection has no distance: give luminosity_distance in its parameters, or its snr.")
+    binary = likelihood_parameters(parameters, data.trigger_time)
+    if not 0.0 <= binary.inclination <= math.pi:  # other programs go on beyond: it is more often one in degrees
+        raise EventInvalid(f"theta_jn of the injection is in radians, from 0 to pi; got {binary.inclination:g}.")
     made = simulate_data(
         [_site(name, section) for name, section in event.detectors.items()], [curve.asd for curve in curves],
-        model=model,
-        parameters=likelihood_parameters(parameters, data.trigger_time), trigger_time=data.trigger_time,
+        model=model, parameters=binary, trigger_time=data.trigger_time,
         start_time=segment_start(data), duration=data.duration, seed=None, f_min=data.f_min, modes=modes,
         response=injection.response,
     )  # fmt: skip

@@ -121,6 +121,8 @@ def _network(options: argparse.Namespace, trigger: float) -> Any:
     from bnserve_inference.fisher import Network, NoiseCurve
 
     names = [name for word in options.network.split(",") for name in NETWORKS.get(word.strip(), (word.strip(),))]
+    if "" in names:
+        raise _refusal(f"--network has names with a comma between each two; got '{options.network[:80]}'.")
     files = _by_name(options.noise, "--noise")
     if unused := [name for name in files if name not in names]:
         raise _refusal(

@@ -201,6 +201,7 @@ def test_a_server_makes_them(text, tmp_path, capsys):
         (("--network", "H1"), "--noise H1=FILE"),
         (("--network", "ET,X7"), "--noise X7=FILE"),
         (("--network", "ET,CE1,E2"), "got 'E2' 2 times"),
+        (("--network", ",ET"), "names with a comma between each two; got ',ET'"),
         (("--noise", "E1"), "NAME=VALUE"),
         (("--noise", "e1=curve.txt"), "a file of e1, which is not in the network: E1, E2, E3"),
         (("--noise", "E1=one.txt", "--noise", "E1=other.txt"), "twice for E1"),
