@@ -24,13 +24,13 @@ grep -q "^version: $version$" CITATION.cff || { echo "error: CITATION.cff names 
 say "Source distributions, and wheels that are built from them"
 rm -rf "$dist"
 "${PYTHON:-python3}" -m venv "$work/build"
-"$work/build/bin/pip" install --quiet build "hatchling>=1.26"
+"$work/build/bin/pip" install --quiet build "hatchling>=1.26" packaging
 for room in "${rooms[@]}"; do
     "$work/build/bin/python" -m build --no-isolation --outdir "$dist" "$room" >"$work/build.log" 2>&1 ||
         { cat "$work/build.log" >&2; exit 1; }
 done
 python=$work/venv/bin/python
-"${PYTHON:-python3}" release/lock.py sbom >"$dist/bnserve-$version.cdx.json"
+"$work/build/bin/python" release/lock.py sbom >"$dist/bnserve-$version.cdx.json"
 (cd "$dist" && sha256sum -- * >SHA256SUMS && cat SHA256SUMS)
 
 say "An environment of what was built"
