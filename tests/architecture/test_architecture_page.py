@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from pathlib import Path
 
-ROOT = Path(__file__).parents[2]
+from tests.architecture.rooms import ROOMS, ROOT
+
 PAGE = (ROOT / "docs" / "explanations" / "architecture.md").read_text(encoding="utf-8")
-_PATH = re.compile(r"`((?:protocol|model_store|surrogate|inference|client|service|benchmarks|docs)/[\w./-]+)`")
+_PATH = re.compile(rf"`((?:{'|'.join(ROOMS)}|benchmarks|docs)/[\w./-]+)`")
 
 
 def test_every_folder_and_file_that_it_names_exists() -> None:
@@ -22,9 +22,11 @@ def test_every_folder_of_the_service_is_named() -> None:
     assert folders <= set(_PATH.findall(PAGE))
 
 
-def test_its_picture_names_the_stages_of_training_and_the_folders_of_a_question() -> None:
+def test_its_picture_names_the_rooms_the_stages_of_training_and_the_folders_of_a_question() -> None:
     picture = (ROOT / "docs" / "images" / "architecture.svg").read_text(encoding="utf-8")
     training = ROOT / "surrogate" / "bnserve_surrogate" / "training"
     stages = {f.parent.name for f in training.glob("*/__init__.py")}
     for name in stages | {"http", "admission", "evaluation", "models", "uploads"}:
         assert f">{name}<" in picture, name
+    for room in ROOMS:
+        assert f">{room}/" in picture, room
