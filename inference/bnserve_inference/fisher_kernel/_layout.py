@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from enum import IntEnum, auto
 
-from bnserve_surrogate.kernel._layout import LANES
+from bnserve_surrogate.kernel._layout import LANES, Column
 
 ARMS, ARM = 3, 5
 """Arms of a detector, and numbers of each: unit vector, weight, and length in light seconds. A response tensor is a sum
@@ -25,25 +25,10 @@ RESPONSE = 15
 """Vectors of a detector: see :class:`Response`."""
 
 
-class Derivative(IntEnum):
-    """The derivatives of a signal."""
-
-    MASS_RATIO = 0
-    LAMBDA_1 = auto()
-    LAMBDA_2 = auto()
-    CHI_1 = auto()
-    CHI_2 = auto()
-    DISTANCE = auto()
-    INCLINATION = auto()
-    TOTAL_MASS = auto()
-    REFERENCE_PHASE = auto()
-    COALESCENCE_TIME = auto()
-    RIGHT_ASCENSION = auto()
-    DECLINATION = auto()
-    POLARIZATION = auto()
-
-
-COLUMNS = len(Derivative)
+SKY = len(Column)
+"""Where the derivatives by the sky begin, in the order of :class:`Sky`: after those by the columns of a batch, among
+which the time of coalescence stands for its shift."""
+COLUMNS = SKY + 3
 
 
 class Sky(IntEnum):

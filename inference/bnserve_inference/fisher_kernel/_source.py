@@ -20,13 +20,12 @@ from bnserve_inference.fisher_kernel._layout import (
     POLARIZATIONS,
     RESPONSE,
     Argument,
-    Derivative,
     Response,
     Sky,
 )
 from bnserve_inference.fisher_kernel._response import add, respond
 from bnserve_inference.fisher_kernel._tangents import differentiate, observe, pass_nodes, polarise
-from bnserve_surrogate.kernel._layout import LANES
+from bnserve_surrogate.kernel._layout import LANES, Column
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
 from bnserve_surrogate.kernel._memory import bytes_at, floats_at, floats_in, integers_at, load, store
 from bnserve_surrogate.kernel._simd import splat
@@ -130,7 +129,7 @@ def _fill_panel(row: int, panel: int, used: int, sky: Floats, arguments: Integer
 def _add_squares(panel: int, used: int, arguments: Integers, room: _Room) -> None:
     """Squares of the derivatives by the distance of each detector in a panel."""
     detectors, rows = _detectors_of(panel, arguments), _rows_of(panel, arguments)
-    column = floats_in(room.block, LANES * arguments[Argument.CAPACITY] * Derivative.DISTANCE, 1 << 30)
+    column = floats_in(room.block, LANES * arguments[Argument.CAPACITY] * Column.DISTANCE, 1 << 30)
     for number in range(detectors[0]):
         for k in range(2 * rows):
             x = load(column, LANES * (used + 2 * rows * number + k))

@@ -13,12 +13,13 @@ from bnserve_inference.fisher_kernel._layout import (
     INTRINSIC,
     MASS,
     POLARIZATIONS,
+    SKY,
     Argument,
-    Derivative,
     Response,
+    Sky,
 )
 from bnserve_inference.fisher_kernel._response import add
-from bnserve_surrogate.kernel._layout import LANES
+from bnserve_surrogate.kernel._layout import LANES, Column
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, load, store
 from bnserve_surrogate.kernel._simd import fma, splat
@@ -157,28 +158,28 @@ def differentiate(
         if moves:
             slow = load(times, LANES * p) * rate
             own = (fma(slow, hour[0], own[0]), fma(slow, hour[1], own[1]))
-        column = Derivative.TOTAL_MASS if p == MASS else Derivative.MASS_RATIO + p
+        column = Column.TOTAL_MASS if p == MASS else Column.MASS_RATIO + p
         _put(block, width, at, column, adds, own, turn)
-    _put(block, width, at, Derivative.INCLINATION, adds, _seen(response, Response.PLUS, waves, _TILT), turn)
-    _put(block, width, at, Derivative.DISTANCE, adds, (signal[0] * (-inverse), signal[1] * (-inverse)), turn)
-    _put(block, width, at, Derivative.REFERENCE_PHASE, adds, (signal[1] * (-half), signal[0] * half), turn)
+    _put(block, width, at, Column.INCLINATION, adds, _seen(response, Response.PLUS, waves, _TILT), turn)
+    _put(block, width, at, Column.DISTANCE, adds, (signal[0] * (-inverse), signal[1] * (-inverse)), turn)
+    _put(block, width, at, Column.REFERENCE_PHASE, adds, (signal[1] * (-half), signal[0] * half), turn)
     arrival = (fma(hour[0], rate, turned[0]), fma(hour[1], rate, turned[1]))
-    _put(block, width, at, Derivative.COALESCENCE_TIME, adds, arrival, turn)
-    _put(block, width, at, Derivative.RIGHT_ASCENSION, adds, (splat(0.0) - hour[0], splat(0.0) - hour[1]), turn)
+    _put(block, width, at, Column.TIME_SHIFT, adds, arrival, turn)
+    _put(block, width, at, SKY + Sky.RIGHT_ASCENSION, adds, (splat(0.0) - hour[0], splat(0.0) - hour[1]), turn)
     seen = _seen(response, Response.PLUS_BY_DECLINATION, waves, 0)
     later = load(response, LANES * Response.DELAY_BY_DECLINATION)
     _put(
         block,
         width,
         at,
-        Derivative.DECLINATION,
+        SKY + Sky.DECLINATION,
         adds,
         (fma(later, turned[0], seen[0]), fma(later, turned[1], seen[1])),
         turn,
     )
     one = _times(_vector(response, Response.CROSS), _vector(waves, 0))
     other = _times(_vector(response, Response.PLUS), _vector(waves, 2))
-    _put(block, width, at, Derivative.POLARIZATION, adds, ((one[0] - other[0]) * 2.0, (one[1] - other[1]) * 2.0), turn)
+    _put(block, width, at, SKY + Sky.POLARIZATION, adds, ((one[0] - other[0]) * 2.0, (one[1] - other[1]) * 2.0), turn)
 
 
 @njit(**JIT_OPTIONS)
@@ -194,4 +195,4 @@ def observe(
 ) -> None:
     """The derivative by the distance alone: the signal, but for a factor."""
     signal = _seen(response, Response.PLUS, waves, 0)
-    _put(block, width, at, Derivative.DISTANCE, adds, (signal[0] * (-inverse), signal[1] * (-inverse)), turn)
+    _put(block, width, at, Column.DISTANCE, adds, (signal[0] * (-inverse), signal[1] * (-inverse)), turn)

@@ -1,4 +1,4 @@
-; sources: a7674ab5a0ff12b89d2c110d7fdaac855bbb27653a1bf7c163f1f593145a1ff6
+; sources: 1b1b0a9a9f144198ff8ac4cd57b2dce5335e617bdfa4ee58ec13eaeb55fdeecb
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -100,10 +100,10 @@ B192.if.preheader.i:                              ; preds = %entry
   %.745.i.i.i.i = getelementptr i8, ptr %.249.i, i64 3136
   %.928.i.i.i.i = getelementptr i8, ptr %.249.i, i64 3200
   %.939.i.i.i.i = getelementptr i8, ptr %.249.i, i64 3264
-  %.4292.i.i.i.i = getelementptr i8, ptr %.249.i, i64 3328
-  %.4303.i.i.i.i = getelementptr i8, ptr %.249.i, i64 3392
-  %.4486.i.i.i.i = getelementptr i8, ptr %.249.i, i64 3456
-  %.4497.i.i.i.i = getelementptr i8, ptr %.249.i, i64 3520
+  %.4293.i.i.i.i = getelementptr i8, ptr %.249.i, i64 3328
+  %.4304.i.i.i.i = getelementptr i8, ptr %.249.i, i64 3392
+  %.4487.i.i.i.i = getelementptr i8, ptr %.249.i, i64 3456
+  %.4498.i.i.i.i = getelementptr i8, ptr %.249.i, i64 3520
   %sunkaddr44.i.i = getelementptr i8, ptr %arg.arguments, i64 248
   %sunkaddr17.i.i = getelementptr i8, ptr %arg.arguments, i64 256
   %.164.i9.i.i = getelementptr i8, ptr %arg.arguments, i64 208
@@ -1224,112 +1224,112 @@ B5371.i.i.i.i:                                    ; preds = %B5279.i.i.i.i, %B52
   %.6.i177.i.i.i.i = fsub contract <8 x double> zeroinitializer, %.1198.i.i.i.i
   %.6.i178.i.i.i.i = fmul contract <8 x double> %.6.i975.i.i.i, %.6.i177.i.i.i.i
   %.6.i179.i.i.i.i = fsub contract <8 x double> zeroinitializer, %.6.i178.i.i.i.i
-  %.4075.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i113.i.i.i.i, <8 x double> %.6.i974.i.i.i, <8 x double> %.6.i179.i.i.i.i)
+  %.4076.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i113.i.i.i.i, <8 x double> %.6.i974.i.i.i, <8 x double> %.6.i179.i.i.i.i)
   %.6.i180.i.i.i.i = fmul contract <8 x double> %.6.i974.i.i.i, %.6.i177.i.i.i.i
-  %.4108.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i113.i.i.i.i, <8 x double> %.6.i975.i.i.i, <8 x double> %.6.i180.i.i.i.i)
-  %.4144.i.i.i.i = add nsw i64 %lsr.iv.i3.i.i, %.4143.i.i.i.i
+  %.4109.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i113.i.i.i.i, <8 x double> %.6.i975.i.i.i, <8 x double> %.6.i180.i.i.i.i)
+  %.4145.i.i.i.i = add nsw i64 %lsr.iv.i3.i.i, %.4144.i.i.i.i
   br i1 %"$phi1254.1.2.1.not.i.i.i", label %B5552.i.i.i.i, label %B5460.i.i.i.i
 
 B5460.i.i.i.i:                                    ; preds = %B5371.i.i.i.i
-  %.4157.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.4144.i.i.i.i
-  %.4159.i.i.i.i = load <8 x double>, ptr %.4157.i.i.i.i, align 8, !noalias !18
-  %.6.i114.i.i.i.i = fadd contract <8 x double> %.4075.i.i.i.i, %.4159.i.i.i.i
-  %.4196.i.i.i.i = getelementptr i8, ptr %.4157.i.i.i.i, i64 64
-  %.4198.i.i.i.i = load <8 x double>, ptr %.4196.i.i.i.i, align 8, !noalias !18
-  %.6.i181.i.i.i.i = fadd contract <8 x double> %.4108.i.i.i.i, %.4198.i.i.i.i
+  %.4158.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.4145.i.i.i.i
+  %.4160.i.i.i.i = load <8 x double>, ptr %.4158.i.i.i.i, align 8, !noalias !18
+  %.6.i114.i.i.i.i = fadd contract <8 x double> %.4076.i.i.i.i, %.4160.i.i.i.i
+  %.4197.i.i.i.i = getelementptr i8, ptr %.4158.i.i.i.i, i64 64
+  %.4199.i.i.i.i = load <8 x double>, ptr %.4197.i.i.i.i, align 8, !noalias !18
+  %.6.i181.i.i.i.i = fadd contract <8 x double> %.4109.i.i.i.i, %.4199.i.i.i.i
   br label %B5552.i.i.i.i
 
 B5552.i.i.i.i:                                    ; preds = %B5460.i.i.i.i, %B5371.i.i.i.i
-  %_put_v159_real.2.0.i.i.i.i = phi <8 x double> [ %.4075.i.i.i.i, %B5371.i.i.i.i ], [ %.6.i114.i.i.i.i, %B5460.i.i.i.i ]
-  %_put_v159_imaginary.2.0.i.i.i.i = phi <8 x double> [ %.4108.i.i.i.i, %B5371.i.i.i.i ], [ %.6.i181.i.i.i.i, %B5460.i.i.i.i ]
-  %.4244.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.4144.i.i.i.i
-  store <8 x double> %_put_v159_real.2.0.i.i.i.i, ptr %.4244.i.i.i.i, align 8, !noalias !18
-  %.4261.i.i.i.i = getelementptr i8, ptr %.4244.i.i.i.i, i64 64
-  store <8 x double> %_put_v159_imaginary.2.0.i.i.i.i, ptr %.4261.i.i.i.i, align 8, !noalias !18
-  %.4294.i.i.i.i = load <8 x double>, ptr %.4292.i.i.i.i, align 8, !noalias !18
-  %.4305.i.i.i.i = load <8 x double>, ptr %.4303.i.i.i.i, align 8, !noalias !18
-  %.4335.i.i.i.i = load <8 x double>, ptr %.249.i, align 8, !noalias !18
-  %.4346.i.i.i.i = load <8 x double>, ptr %sunkaddr79.i.i.i.i, align 8, !noalias !18
-  %.6.i115.i.i.i.i = fmul contract <8 x double> %.4305.i.i.i.i, %.4346.i.i.i.i
+  %_put_v159_real.2.0.i.i.i.i = phi <8 x double> [ %.4076.i.i.i.i, %B5371.i.i.i.i ], [ %.6.i114.i.i.i.i, %B5460.i.i.i.i ]
+  %_put_v159_imaginary.2.0.i.i.i.i = phi <8 x double> [ %.4109.i.i.i.i, %B5371.i.i.i.i ], [ %.6.i181.i.i.i.i, %B5460.i.i.i.i ]
+  %.4245.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.4145.i.i.i.i
+  store <8 x double> %_put_v159_real.2.0.i.i.i.i, ptr %.4245.i.i.i.i, align 8, !noalias !18
+  %.4262.i.i.i.i = getelementptr i8, ptr %.4245.i.i.i.i, i64 64
+  store <8 x double> %_put_v159_imaginary.2.0.i.i.i.i, ptr %.4262.i.i.i.i, align 8, !noalias !18
+  %.4295.i.i.i.i = load <8 x double>, ptr %.4293.i.i.i.i, align 8, !noalias !18
+  %.4306.i.i.i.i = load <8 x double>, ptr %.4304.i.i.i.i, align 8, !noalias !18
+  %.4336.i.i.i.i = load <8 x double>, ptr %.249.i, align 8, !noalias !18
+  %.4347.i.i.i.i = load <8 x double>, ptr %sunkaddr79.i.i.i.i, align 8, !noalias !18
+  %.6.i115.i.i.i.i = fmul contract <8 x double> %.4306.i.i.i.i, %.4347.i.i.i.i
   %.6.i182.i.i.i.i = fsub contract <8 x double> zeroinitializer, %.6.i115.i.i.i.i
-  %.4424.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4294.i.i.i.i, <8 x double> %.4335.i.i.i.i, <8 x double> %.6.i182.i.i.i.i)
-  %.6.i183.i.i.i.i = fmul contract <8 x double> %.4305.i.i.i.i, %.4335.i.i.i.i
-  %.4457.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4294.i.i.i.i, <8 x double> %.4346.i.i.i.i, <8 x double> %.6.i183.i.i.i.i)
-  %.4488.i.i.i.i = load <8 x double>, ptr %.4486.i.i.i.i, align 8, !noalias !18
-  %.4499.i.i.i.i = load <8 x double>, ptr %.4497.i.i.i.i, align 8, !noalias !18
-  %.4533.i.i.i.i = load <8 x double>, ptr %sunkaddr80.i.i.i.i, align 8, !noalias !18
-  %.4544.i.i.i.i = load <8 x double>, ptr %sunkaddr81.i.i.i.i, align 8, !noalias !18
-  %.6.i184.i.i.i.i = fmul contract <8 x double> %.4499.i.i.i.i, %.4544.i.i.i.i
+  %.4425.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4295.i.i.i.i, <8 x double> %.4336.i.i.i.i, <8 x double> %.6.i182.i.i.i.i)
+  %.6.i183.i.i.i.i = fmul contract <8 x double> %.4306.i.i.i.i, %.4336.i.i.i.i
+  %.4458.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4295.i.i.i.i, <8 x double> %.4347.i.i.i.i, <8 x double> %.6.i183.i.i.i.i)
+  %.4489.i.i.i.i = load <8 x double>, ptr %.4487.i.i.i.i, align 8, !noalias !18
+  %.4500.i.i.i.i = load <8 x double>, ptr %.4498.i.i.i.i, align 8, !noalias !18
+  %.4534.i.i.i.i = load <8 x double>, ptr %sunkaddr80.i.i.i.i, align 8, !noalias !18
+  %.4545.i.i.i.i = load <8 x double>, ptr %sunkaddr81.i.i.i.i, align 8, !noalias !18
+  %.6.i184.i.i.i.i = fmul contract <8 x double> %.4500.i.i.i.i, %.4545.i.i.i.i
   %.6.i185.i.i.i.i = fsub contract <8 x double> zeroinitializer, %.6.i184.i.i.i.i
-  %.6.i186.i.i.i.i = fmul contract <8 x double> %.4499.i.i.i.i, %.4533.i.i.i.i
-  %.4622.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4488.i.i.i.i, <8 x double> %.4533.i.i.i.i, <8 x double> %.6.i185.i.i.i.i)
-  %.6.i187.i.i.i.i = fadd contract <8 x double> %.4424.i.i.i.i, %.4622.i.i.i.i
-  %.4655.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4488.i.i.i.i, <8 x double> %.4544.i.i.i.i, <8 x double> %.6.i186.i.i.i.i)
-  %.6.i188.i.i.i.i = fadd contract <8 x double> %.4457.i.i.i.i, %.4655.i.i.i.i
-  %.4746.i.i.i.i = load <8 x double>, ptr %.1229.i.i.i.i, align 8, !noalias !18
-  %.4751.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4746.i.i.i.i, <8 x double> %.6.i128.i.i.i.i, <8 x double> %.6.i187.i.i.i.i)
-  %.4761.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4746.i.i.i.i, <8 x double> %.6.i129.i.i.i.i, <8 x double> %.6.i188.i.i.i.i)
-  %.6.i189.i.i.i.i = fmul contract <8 x double> %.6.i975.i.i.i, %.4761.i.i.i.i
+  %.6.i186.i.i.i.i = fmul contract <8 x double> %.4500.i.i.i.i, %.4534.i.i.i.i
+  %.4623.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4489.i.i.i.i, <8 x double> %.4534.i.i.i.i, <8 x double> %.6.i185.i.i.i.i)
+  %.6.i187.i.i.i.i = fadd contract <8 x double> %.4425.i.i.i.i, %.4623.i.i.i.i
+  %.4656.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4489.i.i.i.i, <8 x double> %.4545.i.i.i.i, <8 x double> %.6.i186.i.i.i.i)
+  %.6.i188.i.i.i.i = fadd contract <8 x double> %.4458.i.i.i.i, %.4656.i.i.i.i
+  %.4747.i.i.i.i = load <8 x double>, ptr %.1229.i.i.i.i, align 8, !noalias !18
+  %.4753.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4747.i.i.i.i, <8 x double> %.6.i128.i.i.i.i, <8 x double> %.6.i187.i.i.i.i)
+  %.4763.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4747.i.i.i.i, <8 x double> %.6.i129.i.i.i.i, <8 x double> %.6.i188.i.i.i.i)
+  %.6.i189.i.i.i.i = fmul contract <8 x double> %.6.i975.i.i.i, %.4763.i.i.i.i
   %.6.i190.i.i.i.i = fsub contract <8 x double> zeroinitializer, %.6.i189.i.i.i.i
-  %.4849.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4751.i.i.i.i, <8 x double> %.6.i974.i.i.i, <8 x double> %.6.i190.i.i.i.i)
-  %.6.i191.i.i.i.i = fmul contract <8 x double> %.6.i974.i.i.i, %.4761.i.i.i.i
-  %.4882.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4751.i.i.i.i, <8 x double> %.6.i975.i.i.i, <8 x double> %.6.i191.i.i.i.i)
-  %.4918.i.i.i.i = add nsw i64 %lsr.iv.i3.i.i, %.4917.i.i.i.i
+  %.4851.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4753.i.i.i.i, <8 x double> %.6.i974.i.i.i, <8 x double> %.6.i190.i.i.i.i)
+  %.6.i191.i.i.i.i = fmul contract <8 x double> %.6.i974.i.i.i, %.4763.i.i.i.i
+  %.4884.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.4753.i.i.i.i, <8 x double> %.6.i975.i.i.i, <8 x double> %.6.i191.i.i.i.i)
+  %.4920.i.i.i.i = add nsw i64 %lsr.iv.i3.i.i, %.4919.i.i.i.i
   br i1 %"$phi1254.1.2.1.not.i.i.i", label %B5730.i.i.i.i, label %B5638.i.i.i.i
 
 B5638.i.i.i.i:                                    ; preds = %B5552.i.i.i.i
-  %.4931.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.4918.i.i.i.i
-  %.4933.i.i.i.i = load <8 x double>, ptr %.4931.i.i.i.i, align 8, !noalias !18
-  %.6.i116.i.i.i.i = fadd contract <8 x double> %.4849.i.i.i.i, %.4933.i.i.i.i
-  %.4970.i.i.i.i = getelementptr i8, ptr %.4931.i.i.i.i, i64 64
-  %.4972.i.i.i.i = load <8 x double>, ptr %.4970.i.i.i.i, align 8, !noalias !18
-  %.6.i192.i.i.i.i = fadd contract <8 x double> %.4882.i.i.i.i, %.4972.i.i.i.i
+  %.4933.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.4920.i.i.i.i
+  %.4935.i.i.i.i = load <8 x double>, ptr %.4933.i.i.i.i, align 8, !noalias !18
+  %.6.i116.i.i.i.i = fadd contract <8 x double> %.4851.i.i.i.i, %.4935.i.i.i.i
+  %.4972.i.i.i.i = getelementptr i8, ptr %.4933.i.i.i.i, i64 64
+  %.4974.i.i.i.i = load <8 x double>, ptr %.4972.i.i.i.i, align 8, !noalias !18
+  %.6.i192.i.i.i.i = fadd contract <8 x double> %.4884.i.i.i.i, %.4974.i.i.i.i
   br label %B5730.i.i.i.i
 
 B5730.i.i.i.i:                                    ; preds = %B5638.i.i.i.i, %B5552.i.i.i.i
-  %_put_v168_real.2.0.i.i.i.i = phi <8 x double> [ %.4849.i.i.i.i, %B5552.i.i.i.i ], [ %.6.i116.i.i.i.i, %B5638.i.i.i.i ]
-  %_put_v168_imaginary.2.0.i.i.i.i = phi <8 x double> [ %.4882.i.i.i.i, %B5552.i.i.i.i ], [ %.6.i192.i.i.i.i, %B5638.i.i.i.i ]
-  %.5018.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.4918.i.i.i.i
-  store <8 x double> %_put_v168_real.2.0.i.i.i.i, ptr %.5018.i.i.i.i, align 8, !noalias !18
-  %.5035.i.i.i.i = getelementptr i8, ptr %.5018.i.i.i.i, i64 64
-  store <8 x double> %_put_v168_imaginary.2.0.i.i.i.i, ptr %.5035.i.i.i.i, align 8, !noalias !18
-  %.5060.i.i.i.i = load <8 x double>, ptr %.346.i.i.i.i, align 8, !noalias !18
-  %.5071.i.i.i.i = load <8 x double>, ptr %scevgep.i21.i.i.i, align 8, !noalias !18
-  %.5101.i.i.i.i = load <8 x double>, ptr %.249.i, align 8, !noalias !18
-  %.5112.i.i.i.i = load <8 x double>, ptr %sunkaddr79.i.i.i.i, align 8, !noalias !18
-  %.6.i117.i.i.i.i = fmul contract <8 x double> %.5071.i.i.i.i, %.5112.i.i.i.i
+  %_put_v168_real.2.0.i.i.i.i = phi <8 x double> [ %.4851.i.i.i.i, %B5552.i.i.i.i ], [ %.6.i116.i.i.i.i, %B5638.i.i.i.i ]
+  %_put_v168_imaginary.2.0.i.i.i.i = phi <8 x double> [ %.4884.i.i.i.i, %B5552.i.i.i.i ], [ %.6.i192.i.i.i.i, %B5638.i.i.i.i ]
+  %.5020.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.4920.i.i.i.i
+  store <8 x double> %_put_v168_real.2.0.i.i.i.i, ptr %.5020.i.i.i.i, align 8, !noalias !18
+  %.5037.i.i.i.i = getelementptr i8, ptr %.5020.i.i.i.i, i64 64
+  store <8 x double> %_put_v168_imaginary.2.0.i.i.i.i, ptr %.5037.i.i.i.i, align 8, !noalias !18
+  %.5062.i.i.i.i = load <8 x double>, ptr %.346.i.i.i.i, align 8, !noalias !18
+  %.5073.i.i.i.i = load <8 x double>, ptr %scevgep.i21.i.i.i, align 8, !noalias !18
+  %.5103.i.i.i.i = load <8 x double>, ptr %.249.i, align 8, !noalias !18
+  %.5114.i.i.i.i = load <8 x double>, ptr %sunkaddr79.i.i.i.i, align 8, !noalias !18
+  %.6.i117.i.i.i.i = fmul contract <8 x double> %.5073.i.i.i.i, %.5114.i.i.i.i
   %.6.i193.i.i.i.i = fsub contract <8 x double> zeroinitializer, %.6.i117.i.i.i.i
-  %.5190.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.5060.i.i.i.i, <8 x double> %.5101.i.i.i.i, <8 x double> %.6.i193.i.i.i.i)
-  %.6.i194.i.i.i.i = fmul contract <8 x double> %.5071.i.i.i.i, %.5101.i.i.i.i
-  %.5223.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.5060.i.i.i.i, <8 x double> %.5112.i.i.i.i, <8 x double> %.6.i194.i.i.i.i)
-  %.5256.i.i.i.i = load <8 x double>, ptr %.437.i, align 8, !noalias !18
-  %.5267.i.i.i.i = load <8 x double>, ptr %.161.i.i.i.i, align 8, !noalias !18
-  %.5302.i.i.i.i = load <8 x double>, ptr %sunkaddr80.i.i.i.i, align 8, !noalias !18
-  %.5313.i.i.i.i = load <8 x double>, ptr %sunkaddr81.i.i.i.i, align 8, !noalias !18
-  %.6.i195.i.i.i.i = fmul contract <8 x double> %.5267.i.i.i.i, %.5313.i.i.i.i
+  %.5192.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.5062.i.i.i.i, <8 x double> %.5103.i.i.i.i, <8 x double> %.6.i193.i.i.i.i)
+  %.6.i194.i.i.i.i = fmul contract <8 x double> %.5073.i.i.i.i, %.5103.i.i.i.i
+  %.5225.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.5062.i.i.i.i, <8 x double> %.5114.i.i.i.i, <8 x double> %.6.i194.i.i.i.i)
+  %.5258.i.i.i.i = load <8 x double>, ptr %.437.i, align 8, !noalias !18
+  %.5269.i.i.i.i = load <8 x double>, ptr %.161.i.i.i.i, align 8, !noalias !18
+  %.5304.i.i.i.i = load <8 x double>, ptr %sunkaddr80.i.i.i.i, align 8, !noalias !18
+  %.5315.i.i.i.i = load <8 x double>, ptr %sunkaddr81.i.i.i.i, align 8, !noalias !18
+  %.6.i195.i.i.i.i = fmul contract <8 x double> %.5269.i.i.i.i, %.5315.i.i.i.i
   %.6.i196.i.i.i.i = fsub contract <8 x double> zeroinitializer, %.6.i195.i.i.i.i
-  %.6.i197.i.i.i.i = fmul contract <8 x double> %.5267.i.i.i.i, %.5302.i.i.i.i
-  %.5391.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.5256.i.i.i.i, <8 x double> %.5302.i.i.i.i, <8 x double> %.6.i196.i.i.i.i)
-  %.5424.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.5256.i.i.i.i, <8 x double> %.5313.i.i.i.i, <8 x double> %.6.i197.i.i.i.i)
-  %.6.i198.i.i.i.i = fsub contract <8 x double> %.5190.i.i.i.i, %.5391.i.i.i.i
+  %.6.i197.i.i.i.i = fmul contract <8 x double> %.5269.i.i.i.i, %.5304.i.i.i.i
+  %.5393.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.5258.i.i.i.i, <8 x double> %.5304.i.i.i.i, <8 x double> %.6.i196.i.i.i.i)
+  %.5426.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.5258.i.i.i.i, <8 x double> %.5315.i.i.i.i, <8 x double> %.6.i197.i.i.i.i)
+  %.6.i198.i.i.i.i = fsub contract <8 x double> %.5192.i.i.i.i, %.5393.i.i.i.i
   %.8.i199.i.i.i.i = fmul contract <8 x double> %.6.i198.i.i.i.i, splat (double 2.000000e+00)
-  %.6.i200.i.i.i.i = fsub contract <8 x double> %.5223.i.i.i.i, %.5424.i.i.i.i
+  %.6.i200.i.i.i.i = fsub contract <8 x double> %.5225.i.i.i.i, %.5426.i.i.i.i
   %.8.i201.i.i.i.i = fmul contract <8 x double> %.6.i200.i.i.i.i, splat (double 2.000000e+00)
   %.6.i202.i.i.i.i = fmul contract <8 x double> %.6.i975.i.i.i, %.8.i201.i.i.i.i
   %.6.i203.i.i.i.i = fsub contract <8 x double> zeroinitializer, %.6.i202.i.i.i.i
-  %.5644.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i199.i.i.i.i, <8 x double> %.6.i974.i.i.i, <8 x double> %.6.i203.i.i.i.i)
+  %.5647.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i199.i.i.i.i, <8 x double> %.6.i974.i.i.i, <8 x double> %.6.i203.i.i.i.i)
   %.6.i204.i.i.i.i = fmul contract <8 x double> %.6.i974.i.i.i, %.8.i201.i.i.i.i
-  %.5677.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i199.i.i.i.i, <8 x double> %.6.i975.i.i.i, <8 x double> %.6.i204.i.i.i.i)
-  %.5713.i.i.i.i = add nsw i64 %lsr.iv.i3.i.i, %.5712.i.i.i.i
+  %.5680.i.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i199.i.i.i.i, <8 x double> %.6.i975.i.i.i, <8 x double> %.6.i204.i.i.i.i)
+  %.5716.i.i.i.i = add nsw i64 %lsr.iv.i3.i.i, %.5715.i.i.i.i
   br i1 %"$phi1254.1.2.1.not.i.i.i", label %_ZN17bnserve_inference13fisher_kernel9_tangents13differentiateB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi3EE19vector_28float64_298UniTupleI19vector_28float64_29Li2EEb5ArrayIdLi1E1C7mutable7alignedExxb.exit.i.i.i, label %B5798.i.i.i.i
 
 B5798.i.i.i.i:                                    ; preds = %B5730.i.i.i.i
-  %.5726.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.5713.i.i.i.i
-  %.5728.i.i.i.i = load <8 x double>, ptr %.5726.i.i.i.i, align 8, !noalias !18
-  %.6.i118.i.i.i.i = fadd contract <8 x double> %.5644.i.i.i.i, %.5728.i.i.i.i
-  %.5765.i.i.i.i = getelementptr i8, ptr %.5726.i.i.i.i, i64 64
-  %.5767.i.i.i.i = load <8 x double>, ptr %.5765.i.i.i.i, align 8, !noalias !18
-  %.6.i205.i.i.i.i = fadd contract <8 x double> %.5677.i.i.i.i, %.5767.i.i.i.i
+  %.5729.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.5716.i.i.i.i
+  %.5731.i.i.i.i = load <8 x double>, ptr %.5729.i.i.i.i, align 8, !noalias !18
+  %.6.i118.i.i.i.i = fadd contract <8 x double> %.5647.i.i.i.i, %.5731.i.i.i.i
+  %.5768.i.i.i.i = getelementptr i8, ptr %.5729.i.i.i.i, i64 64
+  %.5770.i.i.i.i = load <8 x double>, ptr %.5768.i.i.i.i, align 8, !noalias !18
+  %.6.i205.i.i.i.i = fadd contract <8 x double> %.5680.i.i.i.i, %.5770.i.i.i.i
   br label %_ZN17bnserve_inference13fisher_kernel9_tangents13differentiateB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi3EE19vector_28float64_298UniTupleI19vector_28float64_29Li2EEb5ArrayIdLi1E1C7mutable7alignedExxb.exit.i.i.i
 
 B450.if.i.i.i.i:                                  ; preds = %B4639.i.i.i.i, %B2025.i.i.i
@@ -1363,12 +1363,12 @@ B450.if.i.i.i.i:                                  ; preds = %B4639.i.i.i.i, %B20
   br i1 %.not.i.i.i, label %B536.i.i.i.i, label %B706.i.i.i.i
 
 _ZN17bnserve_inference13fisher_kernel9_tangents13differentiateB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi3EE19vector_28float64_298UniTupleI19vector_28float64_29Li2EEb5ArrayIdLi1E1C7mutable7alignedExxb.exit.i.i.i: ; preds = %B5798.i.i.i.i, %B5730.i.i.i.i
-  %_put_v176_real.2.0.i.i.i.i = phi <8 x double> [ %.5644.i.i.i.i, %B5730.i.i.i.i ], [ %.6.i118.i.i.i.i, %B5798.i.i.i.i ]
-  %_put_v176_imaginary.2.0.i.i.i.i = phi <8 x double> [ %.5677.i.i.i.i, %B5730.i.i.i.i ], [ %.6.i205.i.i.i.i, %B5798.i.i.i.i ]
-  %.5813.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.5713.i.i.i.i
-  store <8 x double> %_put_v176_real.2.0.i.i.i.i, ptr %.5813.i.i.i.i, align 8, !noalias !18
-  %.5830.i.i.i.i = getelementptr i8, ptr %.5813.i.i.i.i, i64 64
-  store <8 x double> %_put_v176_imaginary.2.0.i.i.i.i, ptr %.5830.i.i.i.i, align 8, !noalias !18
+  %_put_v176_real.2.0.i.i.i.i = phi <8 x double> [ %.5647.i.i.i.i, %B5730.i.i.i.i ], [ %.6.i118.i.i.i.i, %B5798.i.i.i.i ]
+  %_put_v176_imaginary.2.0.i.i.i.i = phi <8 x double> [ %.5680.i.i.i.i, %B5730.i.i.i.i ], [ %.6.i205.i.i.i.i, %B5798.i.i.i.i ]
+  %.5816.i.i.i.i = getelementptr inbounds double, ptr %.114.i, i64 %.5716.i.i.i.i
+  store <8 x double> %_put_v176_real.2.0.i.i.i.i, ptr %.5816.i.i.i.i, align 8, !noalias !18
+  %.5833.i.i.i.i = getelementptr i8, ptr %.5816.i.i.i.i, i64 64
+  store <8 x double> %_put_v176_imaginary.2.0.i.i.i.i, ptr %.5833.i.i.i.i, align 8, !noalias !18
   br label %B8131.i.i.i
 
 B8131.i.i.i:                                      ; preds = %_ZN17bnserve_inference13fisher_kernel9_tangents13differentiateB4v143B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIdLi3EE19vector_28float64_298UniTupleI19vector_28float64_29Li2EEb5ArrayIdLi1E1C7mutable7alignedExxb.exit.i.i.i, %_ZN17bnserve_inference13fisher_kernel9_tangents7observeB4v133B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd8UniTupleI19vector_28float64_29Li2EE5ArrayIdLi1E1C7mutable7alignedExxb.exit.i.i.i
@@ -1410,9 +1410,9 @@ B1244.lr.ph.i.i.i:                                ; preds = %B1040.i.i.i
   %.3152.i.i.i.i = mul nsw i64 %.184.i.i.i, 40
   %.3497.i.i.i.i = shl nsw i64 %.184.i.i.i, 6
   %.3799.i.i.i.i = mul nsw i64 %.184.i.i.i, 72
-  %.4143.i.i.i.i = mul nsw i64 %.184.i.i.i, 80
-  %.4917.i.i.i.i = mul nsw i64 %.184.i.i.i, 88
-  %.5712.i.i.i.i = mul nsw i64 %.184.i.i.i, 96
+  %.4144.i.i.i.i = mul nsw i64 %.184.i.i.i, 80
+  %.4919.i.i.i.i = mul nsw i64 %.184.i.i.i, 88
+  %.5715.i.i.i.i = mul nsw i64 %.184.i.i.i, 96
   br label %B1244.i.i.i
 
 B1254.endif.i.i.i:                                ; preds = %B214.if.i.i.i.i, %B4182.i.i.i.i
