@@ -89,13 +89,18 @@ def forecast(
     Raises
     ------
     InvalidRequest
-        Coordinates that are none or do not tell binaries apart, or priors of no width.
+        The model has no derivatives, coordinates are none or do not tell binaries apart, or priors have no width.
     InvalidParameters
         Samples that are none.
     """
     if (own := getattr(model, "forecast", None)) is not None:  # a remote one, which makes them where it is
         remote: Forecast = own(network, samples, options)
         return remote
+    if not hasattr(model, "predict_derivatives"):
+        raise InvalidRequest(
+            f"The model '{model.description.name}' does not say that it has derivatives, which forecasts are made of: "
+            "take one that has, as all shipped ones do, or ask for signal-to-noise ratios alone."
+        )
     batch, lost = without_the_unplaced(forecast_batch(samples), network)
     names, widths = options.names, dict(options.priors or {})
     _check(options)

@@ -24,6 +24,7 @@ from bnserve_protocol import (
     decode_network,
 )
 from bnserve_surrogate import Model
+from tests.service.chirp import ChirpModel
 
 TRIGGER = 1187008882.4
 BINARY = LikelihoodParameters(
@@ -392,3 +393,8 @@ def test_a_network_is_what_its_description_says():
     assert [site.name for site in again.sites] == ["CE40", "H1"]
     assert again.sites[0].arms.tolist() == arms.arms.tolist()
     assert not again.moving
+
+
+def test_a_model_without_derivatives_is_refused():
+    with pytest.raises(InvalidRequest, match=r"does not say that it has derivatives.*ask for signal-to-noise ratios"):
+        forecast(ChirpModel(), network(), [BINARY])
