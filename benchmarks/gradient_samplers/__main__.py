@@ -1,12 +1,19 @@
-"""NUTS on the likelihood of an event, beside the sampler of ``bnserve analyse``: effective samples per second of CPU.
+"""NUTS and jim on an event, beside the sampler of ``bnserve analyse``: effective samples per second of CPU.
 
     pip install '.[benchmarks]' blackjax
     bnserve analyse examples/gw170817.toml
     python -m benchmarks.gradient_samplers
 
-It samples the posterior of a finished run (phase and distance are integrated over) again, with the same likelihood and
-priors. NUTS begins where the injection is, as if a search had found it; its warm-up and what JAX compiles count. The
-last lines compare the two posteriors, by errors of their means and widths.
+NUTS samples the posterior of a finished run (phase and distance are integrated over) again, with the same likelihood
+and priors. It begins where the injection is, as if a search had found it; its warm-up and what JAX compiles count. The
+last tables compare the posteriors, by errors of their means and widths. jim's detectors stand still, so that it has an
+event of its own:
+
+    pip install ./protocol ./model_store ./surrogate ./jax_model jimgw
+    bnserve analyse benchmarks/gradient_samplers/event.toml
+    python -m benchmarks.gradient_samplers --event benchmarks/gradient_samplers/event.toml --samplers nuts jim
+
+It has the same data and priors, its own relative binning with our waveform in JAX, and its sampler flowMC.
 """
 
 from __future__ import annotations
@@ -14,6 +21,7 @@ from __future__ import annotations
 import argparse
 import json
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -22,7 +30,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.gradient_samplers.density import Density
-from benchmarks.gradient_samplers.nuts import Nuts, Settings, effective
+from benchmarks.gradient_samplers.nuts import Nuts, Settings, effective, start_of
 from bnserve_posterior.events import Event, changed_event, read_event
 from bnserve_posterior.running import Folder, Prepared, prepare
 from bnserve_surrogate import Model
@@ -67,6 +75,7 @@ def main() -> None:
     parser.add_argument("--run", type=Path, help="folder of the finished run; by default that of the event")
     parser.add_argument("--chains", type=int, default=Settings.chains, help="of NUTS")
     parser.add_argument("--draws", type=int, default=Settings.draws, help="of each chain")
+    parser.add_argument("--samplers", nargs="+", choices=["nuts", "jim"], default=["nuts"], help="(nuts)")
     options = parser.parse_args()
     jax.config.update("jax_enable_x64", True)
     event = changed_event(read_event(options.event), folder=options.run)
@@ -74,7 +83,11 @@ def main() -> None:
         prepared = prepare(event, Model.default(), folder)
         ours = finished(prepared, folder.result)
     prepared.try_likelihood(64)  # code that is made when it is first asked for
-    report(ours, by_nuts(prepared, event, Settings(chains=options.chains, draws=options.draws)))
+    settings = Settings(chains=options.chains, draws=options.draws)
+    found = [
+        by_jim(prepared, event) if name == "jim" else by_nuts(prepared, event, settings) for name in options.samplers
+    ]
+    report(ours, found)
 
 
 def finished(prepared: Prepared, path: Path) -> Found:
@@ -113,6 +126,28 @@ def by_nuts(prepared: Prepared, event: Event, settings: Settings) -> Found:
     return Found.of("NUTS", columns, many, density.evaluated, seconds, remark)
 
 
+def by_jim(prepared: Prepared, event: Event) -> Found:
+    """The posterior by jim, whose chains begin where those of NUTS do."""
+    from benchmarks.gradient_samplers import jim
+
+    settings = jim.Settings()
+    density = Density(prepared)
+    place = density.coordinates(injected(prepared, event))[0]
+    begin, _ = start_of(density, place, density.spread(), Settings(chains=settings.chains))
+    values = prepared.cube(np.clip(density.points(begin)[0], 1e-6, 1.0 - 1e-6))
+    begun = time.process_time()
+    found = jim.sampled(prepared, event, {name: values[name] for name in prepared.cube.names}, settings)
+    seconds = time.process_time() - begun
+    shape = found.columns["psi"].shape
+    remark = (
+        f"{shape[0]} chains of {shape[1]} draws, {found.gradients:,} of the likelihoods with gradients, acceptance "
+        f"{found.local:.2f}, of its flow's proposals {found.of_flow:.2f}; warm-up {found.warm_up:.0%} of it"
+    )
+    columns = {name: found.columns[name].reshape(-1) for name in prepared.cube.names}
+    many = {name: effective(found.columns[name]) for name in columns}
+    return Found.of("jim (flowMC)", columns, many, found.likelihoods, seconds, remark)
+
+
 def injected(prepared: Prepared, event: Event) -> Floats:
     """The injection as a point of the unit cube, ``(1, D)``; what it leaves open is 0."""
     cube, injection = prepared.cube, event.data.injection
@@ -127,16 +162,22 @@ def injected(prepared: Prepared, event: Event) -> Floats:
     return np.array([found])
 
 
-def report(first: Found, second: Found) -> None:
+def report(first: Found, others: Sequence[Found]) -> None:
     """Print who found what at which cost, and how far they are apart."""
     print("| sampler | likelihoods or gradients | CPU s | effective samples, least | a CPU second | |")
     print("|---|---|---|---|---|---|")
-    for one in (first, second):
+    for one in (first, *others):
         least = min(one.effective.values())
         print(
-            f"| {one.name} | {one.likelihoods:,} | {one.seconds:.1f} | {least:,.0f} | {least / one.seconds:,.0f} | "
+            f"| {one.name} | {one.likelihoods:,} | {one.seconds:.1f} | {least:,.0f} | {least / one.seconds:,.2f} | "
             f"{one.remark} |"
         )
+    for second in others:
+        compare(first, second)
+
+
+def compare(first: Found, second: Found) -> None:
+    """Print the posteriors of two, by errors of the second."""
     print(f"\n| parameter | {first.name} | {second.name} | effective | means differ by | widths by |")
     print("|---|---|---|---|---|---|")
     for name, mean in first.means.items():
