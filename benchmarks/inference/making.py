@@ -27,22 +27,19 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from benchmarks.inference import noises
 from bnserve_inference import (
     Detector,
     DetectorData,
     LikelihoodOptions,
     detector_strain,
-    interpolate_asd,
     likelihood,
-    read_asd,
     relative_binning_analysis,
 )
 from bnserve_protocol import LIKELIHOOD_NAMES, Analysis, LikelihoodBatch, LikelihoodParameters, Mode
 from bnserve_surrogate import Model
 
 Floats = NDArray[np.float64]
-ET_NOISE = Path(__file__).parents[2] / "surrogate" / "bnserve_surrogate" / "data" / "ET_D_psd.txt"
-EVENT_NOISE = Path(__file__).parents[1] / "data" / "gw170817" / "asd.npz"
 TRIGGER = 1187008882.43
 SEED = 16
 PIECE = 2**17
@@ -83,22 +80,10 @@ def chirp_fraction(mass_ratio: Floats | float) -> Any:
     return (mass_ratio / (1.0 + mass_ratio) ** 2) ** 0.6
 
 
-def noise(instrument: Instrument) -> list[Floats]:
-    """The ASDs on the data's grid up to the end of the band."""
-    points = round(instrument.f_max * instrument.duration) + 1
-    if instrument.duration > 1000.0:
-        return [read_asd(ET_NOISE, instrument.duration, points, psd=True)] * len(instrument.detectors)
-    with np.load(EVENT_NOISE, allow_pickle=False) as file:
-        f = (int(file["first_bin"]) + np.arange(len(file["H1"]))) * float(file["delta_f"])
-        return [
-            interpolate_asd(f, 1e-23 * file[name].astype(float), instrument.duration, points)
-            for name in instrument.detectors
-        ]
-
-
 def made_data(instrument: Instrument, model: Model, modes: list[Mode] | None) -> tuple[list[DetectorData], float]:
     """A signal of the instrument's ratio in seeded noise, and its distance in Mpc; in pieces, as it is measured."""
-    asds, start = noise(instrument), TRIGGER - instrument.duration + 2.0
+    asds = noises.asds(instrument.detectors, instrument.duration, instrument.f_max)
+    start = TRIGGER - instrument.duration + 2.0
     first = round(instrument.f_min * instrument.duration)
     strains = [np.zeros(len(asd), dtype=np.complex128) for asd in asds]
     square = 0.0

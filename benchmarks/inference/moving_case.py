@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from pathlib import Path
 from typing import Any, NamedTuple
 
 import lal
@@ -13,7 +12,8 @@ from scipy.interpolate import CubicSpline
 
 from benchmarks.inference.brute_force import Mode, Place, signal_over_mode
 from benchmarks.inference.fine_sums import Moments
-from bnserve_inference import DetectorData, interpolate_asd, read_asd
+from benchmarks.inference.noises import asds
+from bnserve_inference import DetectorData
 from bnserve_protocol import EvaluationOptions, LikelihoodBatch, LikelihoodParameters, ParameterBatch
 from bnserve_protocol import Mode as ModeName
 from bnserve_surrogate import Model
@@ -21,8 +21,6 @@ from bnserve_surrogate import Model
 Complex = NDArray[np.complex128]
 Floats = NDArray[np.float64]
 
-ET_NOISE = Path(__file__).parents[2] / "surrogate" / "bnserve_surrogate" / "data" / "ET_D_psd.txt"
-EVENT_NOISE = Path(__file__).parents[1] / "data" / "gw170817" / "asd.npz"
 TRIGGER = 1187008882.43
 BINS = 3000
 _PIECE = 2**18
@@ -111,16 +109,6 @@ def _smooth(f: Floats, response: Complex) -> CubicSpline:
     return CubicSpline(f[places], response[places])
 
 
-def asds(case: Case) -> list[Floats]:
-    """On the grid of the data up to the end of the band."""
-    points = round(case.f_max * case.duration) + 1
-    if case.duration > 1000.0:
-        return [read_asd(ET_NOISE, case.duration, points, psd=True)] * len(case.detectors)
-    with np.load(EVENT_NOISE, allow_pickle=False) as file:
-        f = (int(file["first_bin"]) + np.arange(len(file["H1"]))) * float(file["delta_f"])
-        return [interpolate_asd(f, 1e-23 * file[name].astype(float), case.duration, points) for name in case.detectors]
-
-
 class Observed(NamedTuple):
     """Data with a signal, that signal, and what judges others."""
 
@@ -131,7 +119,7 @@ class Observed(NamedTuple):
 
 def observed(model: Model, case: Case, modes: Sequence[ModeName], seed: int) -> Observed:
     """A signal of the case's loudness in seeded noise: projected by brute force."""
-    start, noises, found = TRIGGER - case.duration + 2.0, asds(case), []
+    start, noises, found = TRIGGER - case.duration + 2.0, asds(case.detectors, case.duration, case.f_max), []
     first = round(case.f_min * case.duration)
     f = np.arange(first, len(noises[0])) / case.duration
     unit = BruteForce(model, case, modes, TRUTH)

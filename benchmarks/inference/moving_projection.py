@@ -21,7 +21,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.inference.moving_case import ET_NOISE, TRIGGER, TRUTH
+from benchmarks.inference.moving_case import TRIGGER, TRUTH
+from benchmarks.inference.noises import ET_NOISE
 from bnserve_inference import Detector, detector_strain, read_asd
 from bnserve_protocol import LikelihoodBatch
 from bnserve_surrogate import Model

@@ -16,7 +16,8 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from benchmarks.inference.moving_case import TRIGGER, BruteForce, Case, asds
+from benchmarks.inference.moving_case import TRIGGER, BruteForce, Case
+from benchmarks.inference.noises import asds
 from benchmarks.pp.sampling import kept, sampled
 from bnserve_inference import (
     Detector,
@@ -84,7 +85,7 @@ def draw(seed: int) -> Injected:
 
 def observed(model: Model, truth: LikelihoodParameters, seed: int) -> tuple[list[DetectorData], float]:
     """The signal by brute force in seeded noise, and its signal-to-noise ratio."""
-    signal, noises = BruteForce(model, CASE, MODES, truth), asds(CASE)
+    signal, noises = BruteForce(model, CASE, MODES, truth), asds(CASE.detectors, CASE.duration, CASE.f_max)
     first, square, found = round(CASE.f_min * CASE.duration), 0.0, []
     f = np.arange(first, len(noises[0])) / CASE.duration
     generators = np.random.default_rng([seed, 8193]).spawn(len(noises))
