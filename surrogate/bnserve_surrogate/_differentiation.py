@@ -128,10 +128,10 @@ def mode_pullback(
     coerced = ParameterBatch.coerce(batch)
     modes = options.modes or evaluator.modes
     answer = evaluator.batch(frequencies, coerced, options, Output.STRAIN)
+    asked = evaluator.asked(frequencies, coerced, options)
     h, rows = _by_mode(answer), len(coerced)
 
     def pull_back(bars: Complex) -> Floats:
-        asked = evaluator.asked(frequencies, coerced, options)
         found = pull_back_modes(*asked[:4], answer.status, h, bars, asked.plan)
         if options.reference_frequency is not None:
             found -= _held_back(evaluator, coerced, options, modes, h, bars)
@@ -146,7 +146,7 @@ def mode_pullback(
         plus_slope=plus_slope,
         cross_slope=cross_slope,
         status=answer.status,
-        frequencies=evaluator.frequencies(frequencies),
+        frequencies=asked.grid.frequencies,
         _pull_back=pull_back,
     )
 

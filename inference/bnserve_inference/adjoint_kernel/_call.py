@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from bnserve_inference.adjoint_kernel._layout import ARGUMENTS, SUMS, scratch_size
 from bnserve_inference.moving_kernel import MovingContraction
 from bnserve_protocol import Analysis
-from bnserve_protocol.wire import address_of
+from bnserve_protocol.wire import address_of, result_memory
 from bnserve_surrogate.kernel import Workspace, load_assembly
 
 ASSEMBLY = Path(__file__).with_name("adjoint.ll")
@@ -95,7 +95,7 @@ class Adjoint(MovingContraction):
         errors, given = (np.zeros(shape), np.zeros(shape)), calibration or (np.zeros(shape), np.zeros(shape))
         found = np.zeros((rows, self._groups, points)) if passing is not None else None
         turning = np.empty((rows, self._groups, self._width)) if self._moves else None
-        waves = np.empty((rows, modes, self._width), dtype=np.complex128)
+        waves = result_memory.empty((rows, modes, self._width), "complex128")
         for place, each in enumerate(bars):
             products, pairs = (np.ascontiguousarray(array, np.complex128) for array in (each.products, each.pairs))
             own = [address_of(products), int(each.by_node), address_of(pairs), address_of(waves), int(place > 0)]

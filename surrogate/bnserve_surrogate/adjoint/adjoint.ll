@@ -1,4 +1,4 @@
-; sources: d42786d87007bc4e4198fc7a21456d5ffbab889794532ebf7443b010a3c1d2d8
+; sources: 43fcd5301753a095d4ecec4ff5b396fc2a875a6a5606462fc37c62c608d0b955
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -475,7 +475,7 @@ B2026.i:                                          ; preds = %B1980.i
   %.122.i.i = inttoptr i64 %.118.i.i to ptr
   %.207.i.i = load i64, ptr %.122.i.i, align 8, !noalias !24
   %.287498.not.i.i = icmp slt i64 %.207.i.i, 1
-  br i1 %.287498.not.i.i, label %_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v713B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B140.if.preheader.i6.i
+  br i1 %.287498.not.i.i, label %_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v714B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B140.if.preheader.i6.i
 
 B140.if.preheader.i6.i:                           ; preds = %B2026.i
   %scevgep.i7.i = getelementptr i8, ptr %.122.i.i, i64 96
@@ -510,7 +510,7 @@ B458.i.i:                                         ; preds = %B140.if.i8.i, %B220
   %scevgep94.i.i = getelementptr i8, ptr %lsr.iv.i9.i, i64 72
   %lsr.iv.next.i10.i = add nsw i64 %lsr.iv99.i.i, -1
   %exitcond.not.i11.i = icmp eq i64 %lsr.iv.next.i10.i, 0
-  br i1 %exitcond.not.i11.i, label %_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v713B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B140.if.i8.i
+  br i1 %exitcond.not.i11.i, label %_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v714B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B140.if.i8.i
 
 B140.if.i8.i:                                     ; preds = %B458.i.i, %B140.if.preheader.i6.i
   %lsr.iv99.i.i = phi i64 [ %.207.i.i, %B140.if.preheader.i6.i ], [ %lsr.iv.next.i10.i, %B458.i.i ]
@@ -520,7 +520,7 @@ B140.if.i8.i:                                     ; preds = %B458.i.i, %B140.if.
   %.444.i.i = icmp sgt i64 %.443.i.i, 0
   br i1 %.444.i.i, label %B220.i12.i, label %B458.i.i
 
-_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v713B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B458.i.i, %B2026.i
+_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v714B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B458.i.i, %B2026.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.998.i.i), !noalias !4
   br label %_ZN17bnserve_surrogate7adjoint7_source5_tileB2v5B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIxLi1E1C7mutable7alignedE.exit
 
@@ -564,9 +564,9 @@ B1702.endif.endif.endif.e...endif.1.if.i:         ; preds = %B1702.i
   store double 0x7FF8000000000000, ptr %scevgep514.i, align 8, !noalias !4
   br label %B1920.i
 
-_ZN17bnserve_surrogate7adjoint7_source5_tileB2v5B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B1980.i, %_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v713B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1702.endif.endif.endif.e...endif.1.if.i
-  %excinfo.2.i.1 = phi ptr [ %excinfo.2.i.0, %_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v713B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.3298.i, %B1702.endif.endif.endif.e...endif.1.if.i ], [ %excinfo.2.i.0, %B1980.i ]
-  %cond = phi i1 [ true, %_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v713B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ false, %B1702.endif.endif.endif.e...endif.1.if.i ], [ true, %B1980.i ]
+_ZN17bnserve_surrogate7adjoint7_source5_tileB2v5B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B1980.i, %_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v714B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1702.endif.endif.endif.e...endif.1.if.i
+  %excinfo.2.i.1 = phi ptr [ %excinfo.2.i.0, %_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v714B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.3298.i, %B1702.endif.endif.endif.e...endif.1.if.i ], [ %excinfo.2.i.0, %B1980.i ]
+  %cond = phi i1 [ true, %_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v714B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ false, %B1702.endif.endif.endif.e...endif.1.if.i ], [ true, %B1980.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.1560.i)
   call void @llvm.lifetime.end.p0(ptr nonnull %.3242.i)
   call void @llvm.lifetime.end.p0(ptr nonnull %excinfo.34.i)
@@ -932,12 +932,12 @@ B244.endif.endif.endif:                           ; preds = %B3608.i, %B354.else
 ; Function Attrs: nofree norecurse nosync nounwind memory(readwrite, inaccessiblemem: none, target_mem0: none, target_mem1: none)
 define internal fastcc noundef range(i32 0, 2) i32 @inner_2(ptr noalias nonnull writeonly captures(none) %retptr, ptr noalias nonnull writeonly captures(none) %excinfo, i64 %arg.i, ptr readonly captures(none) %arg.state.0.4, ptr readonly captures(none) %arg.state.1.4, ptr readonly captures(none) %arg.state.2.4, ptr readonly captures(none) %arg.state.3.4, ptr captures(none) %arg.state.4.4, i64 %arg.state.5, ptr readonly captures(none) %arg.state.6.4, i64 range(i64 8, 1) %arg.state.7.0, i64 range(i64 8, 1) %arg.state.7.1, i64 range(i64 8, 0) %arg.state.7.2, ptr captures(none) %arg.state.8.0.4, ptr captures(none) %arg.state.8.1.4, i64 range(i64 8, 1) %arg.state.9.0.2, ptr captures(none) %arg.state.9.0.4, i64 range(i64 8, 1) %arg.state.9.0.5.0, i64 range(i64 8, 1) %arg.state.9.1.2, ptr captures(none) %arg.state.9.1.4, i64 range(i64 8, 1) %arg.state.9.1.5.0, ptr captures(none) %arg.state.10.0.4, ptr captures(none) %arg.state.10.1.4, ptr %arg.state.11.4, ptr captures(none) %arg.state.12.4, ptr captures(none) %arg.state.13.4, ptr captures(none) %arg.state.14.4, ptr %arg.state.15.4, ptr captures(none) %arg.state.16.4, ptr initializes((0, 3072)) %arg.sums.4, ptr captures(none) %arg.bars.4, i64 range(i64 -9223372036854775808, 9223372036854775801) %arg.bars.5.0, ptr writeonly captures(none) %arg.out.4) unnamed_addr #0 {
 entry:
-  %.568.i.i.i = alloca ptr, align 8
-  %.599.i.i.i = alloca ptr, align 8
-  %.632.i.i.i = alloca ptr, align 8
-  %.669.i.i.i434 = alloca ptr, align 8
-  %.737.i.i.i436 = alloca ptr, align 8
-  %.775.i.i.i = alloca ptr, align 8
+  %.584.i.i.i = alloca ptr, align 8
+  %.621.i.i.i = alloca ptr, align 8
+  %.700.i.i.i = alloca ptr, align 8
+  %.783.i.i.i = alloca ptr, align 8
+  %.911.i.i.i = alloca ptr, align 8
+  %.963.i.i.i435 = alloca ptr, align 8
   %.2885.i.i.i = alloca i64, align 8
   %.808.i.i.i = alloca ptr, align 8
   %.946.i.i.i = alloca ptr, align 8
@@ -1260,7 +1260,7 @@ B442.i:                                           ; preds = %B384
   br label %B506.i
 
 B506.i:                                           ; preds = %B442.i, %B384
-  %prepared_grid_v203__vphi308_0.2.0.i = phi double [ %.623.i, %B442.i ], [ 0.000000e+00, %B384 ]
+  %prepared_grid_v204__vphi308_0.2.0.i = phi double [ %.623.i, %B442.i ], [ 0.000000e+00, %B384 ]
   %.663.i = getelementptr i8, ptr %arg.state.0.4, i64 48
   %.664.i = load i64, ptr %.663.i, align 8, !noalias !48
   %.672.i = inttoptr i64 %.664.i to ptr
@@ -1274,7 +1274,7 @@ B506.i:                                           ; preds = %B442.i, %B384
   %.1059.le.i = tail call contract double @llvm.log.f64(double %.1112)
   %.1066.i = fsub contract double %.1046.le.i, %.1059.le.i
   store i64 0, ptr %.1112.i, align 8, !noalias !48
-  call fastcc void @inner_5(ptr nonnull %.1112.i, ptr %.537.i, i64 %.306.i3, ptr %.672.i, i64 %.431.i, double %prepared_grid_v203__vphi308_0.2.0.i, double %.1066.i)
+  call fastcc void @inner_5(ptr nonnull %.1112.i, ptr %.537.i, i64 %.306.i3, ptr %.672.i, i64 %.431.i, double %prepared_grid_v204__vphi308_0.2.0.i, double %.1066.i)
   %.1130.i = load i64, ptr %.1112.i, align 8, !noalias !48
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %.1152.i, i8 0, i64 32, i1 false), !noalias !48
   %.1201.i = call fastcc i32 @inner_6(ptr nonnull %.1152.i, ptr nonnull %excinfo.6.i, ptr readonly %arg.state.0.4, ptr readonly %arg.state.1.4, ptr readonly %arg.state.2.4, ptr readonly %arg.state.3.4, i64 %arg.state.5, ptr nonnull readonly %arg.state.6.4, i64 range(i64 8, 1) %arg.state.7.0, i64 range(i64 8, 1) %arg.state.7.1, i64 range(i64 8, 0) %arg.state.7.2, ptr %arg.state.9.0.4, i64 range(i64 8, 1) %arg.state.9.0.5.0, ptr %arg.state.9.1.4, i64 range(i64 8, 1) %arg.state.9.1.5.0, ptr %arg.state.11.4, ptr %arg.state.15.4, double %.317.i)
@@ -1454,7 +1454,7 @@ B1050.i.i.i:                                      ; preds = %B356.i.i.i, %B308.i
   %.1981.inv.i.i.i = icmp slt i64 %.1980.i.i.i, 1
   %.20231107.not1113.i.i.i = icmp eq i64 %.2002.i.i.i, 0
   %.20231107.not.i.i.i = or i1 %.1981.inv.i.i.i, %.20231107.not1113.i.i.i
-  br i1 %.20231107.not.i.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i, label %B1094.if.lr.ph.i.i.i
+  br i1 %.20231107.not.i.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i, label %B1094.if.lr.ph.i.i.i
 
 B1094.if.lr.ph.i.i.i:                             ; preds = %B1050.i.i.i
   %.2077.i.i.i = fdiv contract double 1.000000e+00, %.2221.i.i
@@ -1479,7 +1479,7 @@ B1094.if.prol.loopexit.i.i.i:                     ; preds = %B1094.if.prol.i.i.i
   %.202211051109.unr.i.i.i = phi i64 [ %.2002.i.i.i, %B1094.if.lr.ph.i.i.i ], [ %.2032.prol.i.i.i, %B1094.if.prol.i.i.i ]
   %.202911061108.unr.i.i.i = phi i64 [ %.13.i479.i.i, %B1094.if.lr.ph.i.i.i ], [ %.2036.prol.i.i.i, %B1094.if.prol.i.i.i ]
   %52 = icmp eq i64 %.2002.i.i.i, 1
-  br i1 %52, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i, label %B1094.if.preheader.i.i.i
+  br i1 %52, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i, label %B1094.if.preheader.i.i.i
 
 B1094.if.preheader.i.i.i:                         ; preds = %B1094.if.prol.loopexit.i.i.i
   %53 = shl i64 %.202911061108.unr.i.i.i, 3
@@ -1553,9 +1553,9 @@ B1094.if.i.i.i:                                   ; preds = %B1094.if.i.i.i, %B1
   %lsr.iv.next478.i.i.i = add i64 %lsr.iv477.i.i.i, 128
   %lsr.iv.next.i.i.i = add nsw i64 %lsr.iv.i.i.i, -2
   %.2023.1.i.i.i = icmp sgt i64 %lsr.iv.i.i.i, 16
-  br i1 %.2023.1.i.i.i, label %B1094.if.i.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i
+  br i1 %.2023.1.i.i.i, label %B1094.if.i.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i
 
-_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i: ; preds = %B1094.if.i.i.i, %B1094.if.prol.loopexit.i.i.i, %B1050.i.i.i
+_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i: ; preds = %B1094.if.i.i.i, %B1094.if.prol.loopexit.i.i.i, %B1050.i.i.i
   %56 = icmp ult i64 %73, 3
   br i1 %56, label %B1484.if.epil.preheader.i, label %B1484.if.i
 
@@ -1564,8 +1564,8 @@ B1566.loopexit.unr-lcssa.i:                       ; preds = %B1484.if.i
   %lcmp.mod.not.i = icmp eq i64 %57, 0
   br i1 %lcmp.mod.not.i, label %B1566.i, label %B1484.if.epil.preheader.i
 
-B1484.if.epil.preheader.i:                        ; preds = %B1566.loopexit.unr-lcssa.i, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i
-  %.321334403442.epil.init.i = phi i64 [ 0, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i ], [ %.3220.3.i, %B1566.loopexit.unr-lcssa.i ]
+B1484.if.epil.preheader.i:                        ; preds = %B1566.loopexit.unr-lcssa.i, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i
+  %.321334403442.epil.init.i = phi i64 [ 0, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i ], [ %.3220.3.i, %B1566.loopexit.unr-lcssa.i ]
   %58 = shl i64 %.321334403442.epil.init.i, 3
   %scevgep165.i = getelementptr i8, ptr %scevgep164.i, i64 %58
   br label %B1484.if.epil.i
@@ -1610,7 +1610,7 @@ B1566.i:                                          ; preds = %B1484.if.epil.i, %B
   %.133.inv.i.i.i = icmp slt i64 %.322.i.i, 1
   %.177193.not197.i.i.i = icmp eq i64 %.156.i.i.i, 0
   %.177193.not.i.i.i = or i1 %.133.inv.i.i.i, %.177193.not197.i.i.i
-  br i1 %.177193.not.i.i.i, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i, label %B48.if.lr.ph.i.i.i
+  br i1 %.177193.not.i.i.i, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i, label %B48.if.lr.ph.i.i.i
 
 B48.if.lr.ph.i.i.i:                               ; preds = %B1566.i
   %60 = add nuw nsw i64 %.156.i.i.i, 7
@@ -1641,9 +1641,9 @@ B48.if.i.i.i:                                     ; preds = %B48.if.i.i.i, %B48.
   %scevgep.i.i6 = getelementptr i8, ptr %lsr.iv.i.i, i64 64
   %lsr.iv.next2.i.i = add nsw i64 %lsr.iv1.i.i, -1
   %.177.i.i.i = icmp sgt i64 %lsr.iv1.i.i, 8
-  br i1 %.177.i.i.i, label %B48.if.i.i.i, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i
+  br i1 %.177.i.i.i, label %B48.if.i.i.i, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i
 
-_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i: ; preds = %B48.if.i.i.i, %B1566.i
+_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i: ; preds = %B48.if.i.i.i, %B1566.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.808.i.i), !noalias !48
   call void @llvm.lifetime.end.p0(ptr nonnull %.946.i.i), !noalias !48
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.3695.i, i8 0, i64 16, i1 false), !noalias !48
@@ -1651,7 +1651,7 @@ _ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1
   %cond2.i = icmp eq i32 %.3754.i, 0
   br i1 %cond2.i, label %B1066.backedge.i, label %B1794.if.i, !prof !23
 
-B1066.backedge.i:                                 ; preds = %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i
+B1066.backedge.i:                                 ; preds = %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i
   %.3764.fca.1.load.i = load i64, ptr %sunkaddr.i4, align 8, !noalias !48
   %.3764.fca.0.load.i = load i64, ptr %.3695.i, align 8, !noalias !48
   %indvar.next.i = add nuw nsw i64 %indvar.i, 1
@@ -1668,11 +1668,11 @@ B1872.i:                                          ; preds = %B1066.if.i, %B1066.
   %.3886.i = load ptr, ptr %excinfo.24.i, align 8
   %spec.select = select i1 %cond.i.not, ptr null, ptr %.3886.i, !prof !23
   %61 = icmp eq i32 %.3885.i, 0
-  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v187B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
+  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v188B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
 
 for.end.1.endif.if.i:                             ; preds = %B506.i
   %.1202.i = load ptr, ptr %excinfo.6.i, align 8, !noalias !48
-  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v187B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
+  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v188B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
 
 for.end.1.endif.endif.i:                          ; preds = %B506.i
   %.1239.i = getelementptr inbounds nuw i8, ptr %arg.state.14.4, i64 24
@@ -1743,9 +1743,9 @@ B1066.if.i:                                       ; preds = %B1066.if.preheader.
   %.2501.not.i = icmp sgt i64 %.19.i.i, %.242734653520.i
   br i1 %.2501.not.i, label %B1100.i, label %B1872.i
 
-B1484.if.i:                                       ; preds = %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i, %B1484.if.i
-  %lsr.iv23.i = phi i64 [ %lsr.iv.next24.i, %B1484.if.i ], [ %67, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i ]
-  %.321334403442.i = phi i64 [ %.3220.3.i, %B1484.if.i ], [ 0, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i ]
+B1484.if.i:                                       ; preds = %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i, %B1484.if.i
+  %lsr.iv23.i = phi i64 [ %lsr.iv.next24.i, %B1484.if.i ], [ %67, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i ]
+  %.321334403442.i = phi i64 [ %.3220.3.i, %B1484.if.i ], [ 0, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i ]
   %sunkaddr177.i = shl i64 %.321334403442.i, 3
   %scevgep29.i = getelementptr i8, ptr %scevgep164.i, i64 %sunkaddr177.i
   %scevgep30.i = getelementptr i8, ptr %scevgep29.i, i64 -1088
@@ -1756,11 +1756,11 @@ B1484.if.i:                                       ; preds = %_ZN17bnserve_surrog
   %niter.ncmp.3.not.i = icmp eq i64 %lsr.iv.next24.i, 0
   br i1 %niter.ncmp.3.not.i, label %B1566.loopexit.unr-lcssa.i, label %B1484.if.i
 
-B1794.if.i:                                       ; preds = %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i
+B1794.if.i:                                       ; preds = %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i
   %.3755.i = load ptr, ptr %excinfo.23.i, align 8, !noalias !48
-  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v187B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
+  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v188B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
 
-_ZN17bnserve_surrogate7adjoint4_row6_orderB4v187B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1872.i, %for.end.1.endif.if.i, %B1794.if.i
+_ZN17bnserve_surrogate7adjoint4_row6_orderB4v188B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1872.i, %for.end.1.endif.if.i, %B1794.if.i
   %excinfo.7.0 = phi ptr [ %.1202.i, %for.end.1.endif.if.i ], [ %spec.select, %B1872.i ], [ %.3755.i, %B1794.if.i ]
   %common.ret.op.i = phi i1 [ false, %for.end.1.endif.if.i ], [ %61, %B1872.i ], [ false, %B1794.if.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.1112.i)
@@ -1977,7 +1977,7 @@ B442.i394:                                        ; preds = %B888
   br label %B506.i32
 
 B506.i32:                                         ; preds = %B442.i394, %B888
-  %prepared_grid_v663__vphi308_0.2.0.i = phi double [ %.623.i400, %B442.i394 ], [ 0.000000e+00, %B888 ]
+  %prepared_grid_v664__vphi308_0.2.0.i = phi double [ %.623.i400, %B442.i394 ], [ 0.000000e+00, %B888 ]
   %.664.i34 = load i64, ptr %.663.i33, align 8, !noalias !66
   %.672.i36 = inttoptr i64 %.664.i34 to ptr
   %.903.i38 = load i64, ptr %.902.i37, align 8, !noalias !66
@@ -1988,7 +1988,7 @@ B506.i32:                                         ; preds = %B442.i394, %B888
   %.1046.le.i43 = tail call contract double @llvm.log.f64(double %.1038.i42)
   %.1066.i45 = fsub contract double %.1046.le.i43, %.1059.le.i44
   store i64 0, ptr %.1112.i11, align 8, !noalias !66
-  call fastcc void @inner_5(ptr nonnull %.1112.i11, ptr %.537.i30, i64 %.306.i20, ptr %.672.i36, i64 %.431.i26, double %prepared_grid_v663__vphi308_0.2.0.i, double %.1066.i45)
+  call fastcc void @inner_5(ptr nonnull %.1112.i11, ptr %.537.i30, i64 %.306.i20, ptr %.672.i36, i64 %.431.i26, double %prepared_grid_v664__vphi308_0.2.0.i, double %.1066.i45)
   %.1130.i47 = load i64, ptr %.1112.i11, align 8, !noalias !66
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %.1152.i13, i8 0, i64 32, i1 false), !noalias !66
   %.1201.i48 = call fastcc i32 @inner_6(ptr nonnull %.1152.i13, ptr nonnull %excinfo.6.i14, ptr readonly %arg.state.0.4, ptr readonly %arg.state.1.4, ptr readonly %arg.state.2.4, ptr readonly %arg.state.3.4, i64 %arg.state.5, ptr nonnull readonly %arg.state.6.4, i64 range(i64 8, 1) %arg.state.7.0, i64 range(i64 8, 1) %arg.state.7.1, i64 range(i64 8, 0) %arg.state.7.2, ptr %arg.state.9.0.4, i64 range(i64 8, 1) %arg.state.9.0.5.0, ptr %arg.state.9.1.4, i64 range(i64 8, 1) %arg.state.9.1.5.0, ptr %arg.state.11.4, ptr %arg.state.15.4, double %.317.i22)
@@ -2004,8 +2004,8 @@ B508.i392:                                        ; preds = %for.end.1.endif.end
   call fastcc void @inner_7(ptr nonnull %.1323.i15, ptr readonly %arg.state.1.4, ptr readonly %arg.state.2.4, i64 range(i64 8, 1) %arg.state.7.0, i64 range(i64 8, 1) %arg.state.7.1, ptr %arg.state.8.0.4, ptr %arg.state.8.1.4, ptr %arg.state.11.4, ptr %arg.state.13.4, ptr %arg.state.14.4, ptr %arg.state.15.4, double %.317.i22)
   br label %B642.if.i60
 
-B996.i:                                           ; preds = %_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit.i, %B832.if.i
-  %ratios.3.1.i = phi i1 [ true, %_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit.i ], [ %ratios.2.03436.i, %B832.if.i ]
+B996.i:                                           ; preds = %_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v308B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit.i, %B832.if.i
+  %ratios.3.1.i = phi i1 [ true, %_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v308B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit.i ], [ %ratios.2.03436.i, %B832.if.i ]
   %lsr.iv.next286.i = add i64 %lsr.iv285.i, -1
   %scevgep289.i = getelementptr i8, ptr %lsr.iv288.i, i64 72
   %.1721.i = icmp sgt i64 %lsr.iv.next286.i, 1
@@ -2190,7 +2190,7 @@ B1050.i.i.i290:                                   ; preds = %B356.i.i.i193, %B30
   %.1981.inv.i.i.i293 = icmp slt i64 %.1980.i.i.i291, 1
   %.20231107.not1113.i.i.i294 = icmp eq i64 %.2002.i.i.i292, 0
   %.20231107.not.i.i.i295 = or i1 %.1981.inv.i.i.i293, %.20231107.not1113.i.i.i294
-  br i1 %.20231107.not.i.i.i295, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B1094.if.lr.ph.i.i.i296
+  br i1 %.20231107.not.i.i.i295, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B1094.if.lr.ph.i.i.i296
 
 B1094.if.lr.ph.i.i.i296:                          ; preds = %B1050.i.i.i290
   %.2077.i.i.i297 = fdiv contract double 1.000000e+00, %.2221.i.i134
@@ -2215,7 +2215,7 @@ B1094.if.prol.loopexit.i.i.i307:                  ; preds = %B1094.if.prol.i.i.i
   %.202211051109.unr.i.i.i308 = phi i64 [ %.2002.i.i.i292, %B1094.if.lr.ph.i.i.i296 ], [ %.2032.prol.i.i.i302, %B1094.if.prol.i.i.i301 ]
   %.202911061108.unr.i.i.i309 = phi i64 [ %.13.i479.i.i133, %B1094.if.lr.ph.i.i.i296 ], [ %.2036.prol.i.i.i303, %B1094.if.prol.i.i.i301 ]
   %104 = icmp eq i64 %.2002.i.i.i292, 1
-  br i1 %104, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B1094.if.preheader.i.i.i310
+  br i1 %104, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B1094.if.preheader.i.i.i310
 
 B1094.if.preheader.i.i.i310:                      ; preds = %B1094.if.prol.loopexit.i.i.i307
   %105 = shl i64 %.202911061108.unr.i.i.i309, 3
@@ -2289,15 +2289,15 @@ B1094.if.i.i.i311:                                ; preds = %B1094.if.i.i.i311, 
   %lsr.iv.next478.i.i.i318 = add i64 %lsr.iv477.i.i.i312, 128
   %lsr.iv.next.i.i.i319 = add nsw i64 %lsr.iv.i.i7.i, -2
   %.2023.1.i.i.i320 = icmp sgt i64 %lsr.iv.i.i7.i, 16
-  br i1 %.2023.1.i.i.i320, label %B1094.if.i.i.i311, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br i1 %.2023.1.i.i.i320, label %B1094.if.i.i.i311, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B1094.if.i.i.i311, %B1094.if.prol.loopexit.i.i.i307, %B1050.i.i.i290
+_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B1094.if.i.i.i311, %B1094.if.prol.loopexit.i.i.i307, %B1050.i.i.i290
   %.2313.i.i = load i64, ptr %.306.i, align 8, !noalias !70
   %.2329.i.i = getelementptr inbounds double, ptr %arg.state.2.4, i64 %.2313.i.i
   %.2419.i.i = load i64, ptr %.420.i, align 8, !noalias !70
   %.2435.i.i = getelementptr inbounds double, ptr %arg.state.2.4, i64 %.2419.i.i
   %.3595.i.i = sub i64 %.13.i448.i.i, %.242734673523.i
-  br i1 %ratios.2.0.lcssa.i, label %B1776.lr.ph.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321
+  br i1 %ratios.2.0.lcssa.i, label %B1776.lr.ph.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321
 
 B2072.i.i:                                        ; preds = %B1776.lr.ph.i.i
   %sunkaddr66.i.i = shl i64 %.1763.i.i, 3
@@ -2330,7 +2330,7 @@ select.true.sink.i.i.i.i.i:                       ; preds = %B94.i8.i.i.i
   %.53.i.i.i.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i.i.i.i, double %.52.i.i.i.i.i, double 0x3FA5555555555555)
   %.54.i.i.i.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i.i.i.i, double %.53.i.i.i.i.i, double -5.000000e-01)
   %.55.i.i.i.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i.i.i.i, double %.54.i.i.i.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i.i.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v395B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i.i.i
 
 select.false.sink.i.i.i.i.i:                      ; preds = %B94.i8.i.i.i
   %.46.i.i.i.i.i = fmul contract double %.38.i.i.i.i.i, %.39.i.i.i.i.i
@@ -2341,9 +2341,9 @@ select.false.sink.i.i.i.i.i:                      ; preds = %B94.i8.i.i.i
   %.44.i.i.i.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i.i.i.i, double %.43.i.i.i.i.i, double 0x3F81111111111111)
   %.45.i.i.i.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i.i.i.i, double %.44.i.i.i.i.i, double 0xBFC5555555555555)
   %.47.i.i.i.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i.i.i.i, double %.45.i.i.i.i.i, double %.38.i.i.i.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i.i.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v395B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i.i.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i.i.i: ; preds = %select.false.sink.i.i.i.i.i, %select.true.sink.i.i.i.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v395B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i.i.i: ; preds = %select.false.sink.i.i.i.i.i, %select.true.sink.i.i.i.i.i
   %.71.v.i.i.i.i.i = phi double [ %.55.i.i.i.i.i, %select.true.sink.i.i.i.i.i ], [ %.47.i.i.i.i.i, %select.false.sink.i.i.i.i.i ]
   %.65.i.i.i.i.i = shl i64 %.56.i.i.i.i.i, 62
   %.66.i.i.i.i.i = add i64 %.65.i.i.i.i.i, 4611686018427387904
@@ -2355,8 +2355,8 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %.266.i.i.i.i = fmul contract double %.761.i.i.i, %.89.i.i.i.i.i
   br label %B144.i.i.i.i
 
-B144.i.i.i.i:                                     ; preds = %B34.if.i1.i.i.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i.i.i
-  %"$phi144.1.2.1.i.i.i.i" = phi double [ %.266.i.i.i.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i.i.i ], [ 0.000000e+00, %B34.if.i1.i.i.i ]
+B144.i.i.i.i:                                     ; preds = %B34.if.i1.i.i.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v395B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i.i.i
+  %"$phi144.1.2.1.i.i.i.i" = phi double [ %.266.i.i.i.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v395B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i.i.i ], [ 0.000000e+00, %B34.if.i1.i.i.i ]
   %scevgep35.i.i = getelementptr i8, ptr %.2912.i.i, i64 %111
   store double %"$phi144.1.2.1.i.i.i.i", ptr %scevgep35.i.i, align 8, !noalias !79
   %.314.i.i.i.i = fsub contract double %.218.i.i.i.i, %.3625.i.i
@@ -2578,8 +2578,8 @@ B412.if.i.i.i:                                    ; preds = %B412.if.i.i.i, %B41
   br i1 %.350.i.i.i, label %B412.if.i.i.i, label %B612.i.i.i
 
 B2320.i.i:                                        ; preds = %B926.i.i.i, %B612.i605.i.i, %B2308.endif.i.i, %B2078.i.i
-  %fill_residuals_v349_cell_a.2.1.i.i = phi i64 [ %cell.5.1.i362.i.i, %B612.i605.i.i ], [ %cells.2.sroa.0.03526.i, %B2078.i.i ], [ %cell.5.1.i362.i.i, %B2308.endif.i.i ], [ %cells.2.sroa.0.03526.i, %B926.i.i.i ]
-  %fill_residuals_v349_cell_p.3.1.i.i = phi i64 [ %cell.3.2.i561.i.i, %B612.i605.i.i ], [ %cells.2.sroa.12.03525.i, %B2078.i.i ], [ %cells.2.sroa.12.03525.i, %B2308.endif.i.i ], [ %cell.3.2.i.i.i, %B926.i.i.i ]
+  %fill_residuals_v350_cell_a.2.1.i.i = phi i64 [ %cell.5.1.i362.i.i, %B612.i605.i.i ], [ %cells.2.sroa.0.03526.i, %B2078.i.i ], [ %cell.5.1.i362.i.i, %B2308.endif.i.i ], [ %cells.2.sroa.0.03526.i, %B926.i.i.i ]
+  %fill_residuals_v350_cell_p.3.1.i.i = phi i64 [ %cell.3.2.i561.i.i, %B612.i605.i.i ], [ %cells.2.sroa.12.03525.i, %B2078.i.i ], [ %cells.2.sroa.12.03525.i, %B2308.endif.i.i ], [ %cell.3.2.i.i.i, %B926.i.i.i ]
   %120 = icmp sgt i64 %.999.i.i123, 0
   br i1 %120, label %B2506.i.i, label %B7458.i.i
 
@@ -2670,7 +2670,7 @@ B2506.i.i:                                        ; preds = %B2320.i.i
 
 B7458.i.i:                                        ; preds = %B484.if.i.i.i, %B2320.i.i
   %121 = icmp slt i64 %.13.i449.i.i121, %.19.i.i99
-  br i1 %121, label %B7507.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321
+  br i1 %121, label %B7507.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321
 
 B7507.i.i:                                        ; preds = %B7458.i.i
   br i1 %.14491.not.i.i.i, label %B7632.endif.i.i, label %B48.if.lr.ph.i.i.i379
@@ -2742,7 +2742,7 @@ B36.if.prol.loopexit.i.i.i:                       ; preds = %B36.if.prol.i.i.i, 
   %.1208791.unr.i.i.i = phi i64 [ %.99.i424.i.i, %B36.if.lr.ph.i.i.i ], [ %.130.prol.i.i.i, %B36.if.prol.i.i.i ]
   %.1278890.unr.i.i.i = phi i64 [ %.999.i.i123, %B36.if.lr.ph.i.i.i ], [ %.neg.i.i.i, %B36.if.prol.i.i.i ]
   %125 = icmp eq i64 %.6589.i.i, %.neg.i.i.i
-  br i1 %125, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321, label %B36.if.preheader.i.i.i
+  br i1 %125, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321, label %B36.if.preheader.i.i.i
 
 B36.if.preheader.i.i.i:                           ; preds = %B36.if.prol.loopexit.i.i.i
   %126 = add nuw i64 %.1208791.unr.i.i.i, 2
@@ -2780,9 +2780,9 @@ B36.if.i.i.i:                                     ; preds = %B36.if.i.i.i, %B36.
   %scevgep70.i.i = getelementptr i8, ptr %lsr.iv69.i.i, i64 16
   %.121.1.i.i.i = icmp sgt i64 %lsr.iv.next.i437.i.i, 2
   %133 = add i64 %.1278890.i.i.i, 2
-  br i1 %.121.1.i.i.i, label %B36.if.i.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321
+  br i1 %.121.1.i.i.i, label %B36.if.i.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321
 
-B1776.lr.ph.i.i:                                  ; preds = %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B1776.lr.ph.i.i:                                  ; preds = %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   %.6589.i.i = sub i64 %.19.i.i99, %.242734673523.i
   %134 = add i64 %.999.i.i123, 7
   %.1167.i675.i.i = lshr i64 %134, 3
@@ -2942,15 +2942,15 @@ B484.if.i.i.i:                                    ; preds = %B484.if.i.i.i, %B25
   br i1 %.1189.i.i.i, label %B484.if.i.i.i, label %B7458.i.i
 
 B7632.endif.i.i:                                  ; preds = %B48.if.i.i.i380, %B7507.i.i
-  br i1 %.100.inv.i.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321, label %B36.if.lr.ph.i.i.i
+  br i1 %.100.inv.i.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321, label %B36.if.lr.ph.i.i.i
 
-_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321: ; preds = %B36.if.i.i.i, %B7632.endif.i.i, %B36.if.prol.loopexit.i.i.i, %B7458.i.i, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
-  %after.2.sroa.10.0.lcssa.i.i = phi i64 [ %cells.2.sroa.12.03525.i, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %fill_residuals_v349_cell_p.3.1.i.i, %B7632.endif.i.i ], [ %fill_residuals_v349_cell_p.3.1.i.i, %B7458.i.i ], [ %fill_residuals_v349_cell_p.3.1.i.i, %B36.if.prol.loopexit.i.i.i ], [ %fill_residuals_v349_cell_p.3.1.i.i, %B36.if.i.i.i ]
-  %after.2.sroa.0.0.lcssa.i.i = phi i64 [ %cells.2.sroa.0.03526.i, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %fill_residuals_v349_cell_a.2.1.i.i, %B7632.endif.i.i ], [ %fill_residuals_v349_cell_a.2.1.i.i, %B7458.i.i ], [ %fill_residuals_v349_cell_a.2.1.i.i, %B36.if.prol.loopexit.i.i.i ], [ %fill_residuals_v349_cell_a.2.1.i.i, %B36.if.i.i.i ]
+_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321: ; preds = %B36.if.i.i.i, %B7632.endif.i.i, %B36.if.prol.loopexit.i.i.i, %B7458.i.i, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %after.2.sroa.10.0.lcssa.i.i = phi i64 [ %cells.2.sroa.12.03525.i, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %fill_residuals_v350_cell_p.3.1.i.i, %B7632.endif.i.i ], [ %fill_residuals_v350_cell_p.3.1.i.i, %B7458.i.i ], [ %fill_residuals_v350_cell_p.3.1.i.i, %B36.if.prol.loopexit.i.i.i ], [ %fill_residuals_v350_cell_p.3.1.i.i, %B36.if.i.i.i ]
+  %after.2.sroa.0.0.lcssa.i.i = phi i64 [ %cells.2.sroa.0.03526.i, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %fill_residuals_v350_cell_a.2.1.i.i, %B7632.endif.i.i ], [ %fill_residuals_v350_cell_a.2.1.i.i, %B7458.i.i ], [ %fill_residuals_v350_cell_a.2.1.i.i, %B36.if.prol.loopexit.i.i.i ], [ %fill_residuals_v350_cell_a.2.1.i.i, %B36.if.i.i.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.5728.i.i), !noalias !66
   br i1 %ratios.2.0.lcssa.i, label %B48.if.i.i, label %B1484.if.preheader.i
 
-B1484.if.preheader.i:                             ; preds = %B48.if.i.i, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321
+B1484.if.preheader.i:                             ; preds = %B48.if.i.i, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321
   %146 = icmp ult i64 %272, 3
   br i1 %146, label %B1484.if.epil.preheader.i326, label %B1484.if.i322
 
@@ -3008,7 +3008,7 @@ B1566.i336:                                       ; preds = %B1564.i
   %.133.inv.i.i.i354 = icmp slt i64 %.322.i20.i, 1
   %.177193.not197.i.i.i355 = icmp eq i64 %.156.i.i22.i, 0
   %.177193.not.i.i.i356 = or i1 %.133.inv.i.i.i354, %.177193.not197.i.i.i355
-  br i1 %.177193.not.i.i.i356, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i373, label %B48.if.lr.ph.i.i23.i
+  br i1 %.177193.not.i.i.i356, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i373, label %B48.if.lr.ph.i.i23.i
 
 B48.if.lr.ph.i.i23.i:                             ; preds = %B1566.i336
   %150 = add nuw nsw i64 %.156.i.i22.i, 7
@@ -3039,9 +3039,9 @@ B48.if.i.i24.i:                                   ; preds = %B48.if.i.i24.i, %B4
   %scevgep.i30.i = getelementptr i8, ptr %lsr.iv.i.i358, i64 64
   %lsr.iv.next2.i.i371 = add nsw i64 %lsr.iv1.i.i357, -1
   %.177.i.i.i372 = icmp sgt i64 %lsr.iv1.i.i357, 8
-  br i1 %.177.i.i.i372, label %B48.if.i.i24.i, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i373
+  br i1 %.177.i.i.i372, label %B48.if.i.i24.i, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i373
 
-_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i373: ; preds = %B48.if.i.i24.i, %B1566.i336
+_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i373: ; preds = %B48.if.i.i24.i, %B1566.i336
   call void @llvm.lifetime.end.p0(ptr nonnull %.808.i.i7), !noalias !66
   call void @llvm.lifetime.end.p0(ptr nonnull %.946.i.i9), !noalias !66
   br label %B1794.i
@@ -3104,7 +3104,7 @@ B1722.if.preheader.i:                             ; preds = %B1674.i
   %182 = add nuw nsw i64 %.156.i.i.i.i, 7
   br label %B1722.if.i
 
-B1794.i:                                          ; preds = %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v427B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1674.i, %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i373
+B1794.i:                                          ; preds = %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1674.i, %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i373
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.3696.i, i8 0, i64 16, i1 false), !noalias !66
   %.3755.i330 = call fastcc i32 @inner_9(ptr nonnull %.3696.i, ptr nonnull %excinfo.23.i17, ptr readonly %arg.state.0.4, ptr readonly %arg.state.1.4, ptr readonly %arg.state.2.4, ptr readonly %arg.state.3.4, i64 %arg.state.5, ptr nonnull readonly %arg.state.6.4, i64 range(i64 8, 1) %arg.state.7.0, i64 range(i64 8, 1) %arg.state.7.1, i64 range(i64 8, 0) %arg.state.7.2, ptr %arg.state.8.0.4, ptr %arg.state.8.1.4, i64 range(i64 8, 1) %arg.state.9.0.2, ptr %arg.state.9.0.4, i64 range(i64 8, 1) %arg.state.9.0.5.0, i64 range(i64 8, 1) %arg.state.9.1.2, ptr %arg.state.9.1.4, i64 range(i64 8, 1) %arg.state.9.1.5.0, ptr %arg.state.12.4, ptr %arg.state.15.4, ptr nonnull %arg.sums.4, double %.317.i22, i64 %.242734673523.i, i64 %.19.i.i99, i64 %.1211.fca.0.load.i49, i64 %.1211.fca.1.load.i50, i64 %.1211.fca.3.load.i52, i64 %cells_of_bars.2.sroa.0.03528.i, i64 %cells_of_bars.2.sroa.10.03527.i, ptr nonnull %.1239.i58)
   %cond.i331 = icmp eq i32 %.3755.i330, 0
@@ -3178,10 +3178,10 @@ B10503.i:                                         ; preds = %B1906.if.i
   %190 = icmp sgt i64 %..221.i.i.i, 0
   br label %B234.if.i.i
 
-B234.if.i.i:                                      ; preds = %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B10503.i
-  %exitcond.not.i.i108 = phi i1 [ false, %B10503.i ], [ true, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %191 = phi i1 [ true, %B10503.i ], [ false, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %.158714201429.i.i = phi i64 [ 0, %B10503.i ], [ 1, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+B234.if.i.i:                                      ; preds = %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B10503.i
+  %exitcond.not.i.i108 = phi i1 [ false, %B10503.i ], [ true, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %191 = phi i1 [ true, %B10503.i ], [ false, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %.158714201429.i.i = phi i64 [ 0, %B10503.i ], [ 1, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
   %.1723.fca.4.load.pn.v.i.i = select i1 %191, i64 %.1638.idx.i.i, i64 %.1705.idx.i.i
   %.1723.fca.4.load.pn.i.i = getelementptr i8, ptr %.688.i.i, i64 %.1723.fca.4.load.pn.v.i.i
   %.1931.fca.4.load.pn.v.idx.i.i = select i1 %191, i64 0, i64 %.1410.i.i
@@ -3189,13 +3189,13 @@ B234.if.i.i:                                      ; preds = %_ZN17bnserve_surrog
   %.2070.i.i109 = load double, ptr %sunkaddr74.i, align 8, !noalias !107
   br label %B38.if.i.i.i
 
-B38.if.i.i.i:                                     ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, %B234.if.i.i
-  %lsr.iv31.i.i.i = phi ptr [ %.1723.fca.4.load.pn.i.i, %B234.if.i.i ], [ %scevgep32.i.i.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ]
-  %lsr.iv.i.i.i110 = phi ptr [ %gep.i.i, %B234.if.i.i ], [ %scevgep.i.i.i115, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ]
-  %found.2.0184.i.i.i = phi double [ 0.000000e+00, %B234.if.i.i ], [ %.389.i.i.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ]
-  %.142178182.i.i.i = phi i64 [ 0, %B234.if.i.i ], [ %.149.i.i.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ]
+B38.if.i.i.i:                                     ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, %B234.if.i.i
+  %lsr.iv31.i.i.i = phi ptr [ %.1723.fca.4.load.pn.i.i, %B234.if.i.i ], [ %scevgep32.i.i.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ]
+  %lsr.iv.i.i.i110 = phi ptr [ %gep.i.i, %B234.if.i.i ], [ %scevgep.i.i.i115, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ]
+  %found.2.0184.i.i.i = phi double [ 0.000000e+00, %B234.if.i.i ], [ %.389.i.i.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ]
+  %.142178182.i.i.i = phi i64 [ 0, %B234.if.i.i ], [ %.149.i.i.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i ]
   %.149.i.i.i = add nuw nsw i64 %.142178182.i.i.i, 1
-  br i1 %189, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, label %B78.if.i.i.i.i
+  br i1 %189, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i, label %B78.if.i.i.i.i
 
 B78.if.i.i.i.i:                                   ; preds = %B38.if.i.i.i, %B78.if.i.i.i.i
   %lsr.iv.i111 = phi i64 [ %lsr.iv.next.i114, %B78.if.i.i.i.i ], [ %188, %B38.if.i.i.i ]
@@ -3209,9 +3209,9 @@ B78.if.i.i.i.i:                                   ; preds = %B38.if.i.i.i, %B78.
   %lsr.iv.next2.i.i.i.i = add i64 %lsr.iv1.i.i.i.i, 64
   %lsr.iv.next.i114 = add nsw i64 %lsr.iv.i111, -1
   %.133.i.i.i.i = icmp sgt i64 %lsr.iv.i111, 9
-  br i1 %.133.i.i.i.i, label %B78.if.i.i.i.i, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i
+  br i1 %.133.i.i.i.i, label %B78.if.i.i.i.i, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i
 
-_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i: ; preds = %B78.if.i.i.i.i, %B38.if.i.i.i
+_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i: ; preds = %B78.if.i.i.i.i, %B38.if.i.i.i
   %sum_of.2.0.lcssa.i.i.i.i = phi <8 x double> [ zeroinitializer, %B38.if.i.i.i ], [ %.192.i.i.i.i, %B78.if.i.i.i.i ]
   store <8 x double> %sum_of.2.0.lcssa.i.i.i.i, ptr %arg.state.12.4, align 8, !noalias !110
   %.260.i.i.i.i = load double, ptr %arg.state.12.4, align 8, !noalias !110
@@ -3233,9 +3233,9 @@ _ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbC
   %scevgep.i.i.i115 = getelementptr i8, ptr %lsr.iv.i.i.i110, i64 %185
   %scevgep32.i.i.i = getelementptr i8, ptr %lsr.iv31.i.i.i, i64 %185
   %exitcond.not.i.i.i = icmp eq i64 %.149.i.i.i, 3
-  br i1 %exitcond.not.i.i.i, label %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B38.if.i.i.i
+  br i1 %exitcond.not.i.i.i, label %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B38.if.i.i.i
 
-_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i
+_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i.i
   %.2115.i.i = fadd contract double %.2070.i.i109, %.389.i.i.i
   store double %.2115.i.i, ptr %sunkaddr74.i, align 8, !noalias !107
   %.2151.i.i = mul nuw nsw i64 %.158714201429.i.i, %.2150.i.i
@@ -3244,9 +3244,9 @@ _ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI
   %.205.i.i.i = sub i64 %.2151.i.i, %.540.1.i.i
   %.206.i.i.i = shl i64 %.205.i.i.i, 3
   %.207.i.i.i = add i64 %.206.i.i.i, %arg.state.5
-  br i1 %190, label %B180.if.lr.ph.i.i.i, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br i1 %190, label %B180.if.lr.ph.i.i.i, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-B180.if.lr.ph.i.i.i:                              ; preds = %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B180.if.lr.ph.i.i.i:                              ; preds = %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   %192 = getelementptr double, ptr %.1723.fca.4.load.pn.i.i, i64 %.574.i.i
   %193 = getelementptr double, ptr %.1723.fca.4.load.pn.i.i, i64 %.2150.i.i
   %194 = getelementptr i8, ptr %.1723.fca.4.load.pn.i.i, i64 %.idx.i.i.i
@@ -3305,11 +3305,11 @@ B180.if.i.i.i:                                    ; preds = %B180.if.i.i.i, %B18
   %lsr.iv.next.i86.i.i = add nuw i64 %lsr.iv.i83.i.i, 8
   %lsr.iv.next34.i.i.i = add i64 %lsr.iv33.i.i.i, -1
   %exitcond.not.i87.i.i = icmp eq i64 %lsr.iv.next34.i.i.i, 0
-  br i1 %exitcond.not.i87.i.i, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B180.if.i.i.i
+  br i1 %exitcond.not.i87.i.i, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B180.if.i.i.i
 
-_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B180.if.i.i.i, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
-  %value.2.0.lcssa.i.i.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %.371.i.i.i, %B180.if.i.i.i ]
-  %curvature.2.0.lcssa.i.i.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %.490.i.i.i, %B180.if.i.i.i ]
+_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B180.if.i.i.i, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %value.2.0.lcssa.i.i.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %.371.i.i.i, %B180.if.i.i.i ]
+  %curvature.2.0.lcssa.i.i.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %.490.i.i.i, %B180.if.i.i.i ]
   %.521.i.i.i = add nsw i64 %.203.i.i.i, %.519.i.i.i
   %.538.i.i.i = icmp slt i64 %.521.i.i.i, 0
   %.539.i.i.i = select i1 %.538.i.i.i, i64 %.1410.i.i, i64 0
@@ -3347,13 +3347,13 @@ _ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4C
   store double %.2358.i.i, ptr %.2325.i.i, align 8, !noalias !107
   br i1 %exitcond.not.i.i108, label %B10581.i, label %B234.if.i.i
 
-B10581.i:                                         ; preds = %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B1906.if.i
+B10581.i:                                         ; preds = %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B1906.if.i
   %.4000.i = icmp sgt i64 %.399935353541.i, 1
-  br i1 %.4000.i, label %B1906.if.i, label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.4000.i, label %B1906.if.i, label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v648B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
 
 for.end.1.endif.if.i54:                           ; preds = %B506.i32
   %.1202.i55 = load ptr, ptr %excinfo.6.i14, align 8, !noalias !66
-  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
+  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v648B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
 
 for.end.1.endif.endif.i57:                        ; preds = %B506.i32
   %.1314.i59 = icmp slt i64 %.1211.fca.1.load.i50, %.1130.i47
@@ -3431,13 +3431,13 @@ B6763.i.i:                                        ; preds = %_ZN17bnserve_surrog
   br label %B6843.i.i
 
 B6843.i.i:                                        ; preds = %_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE.exit170.i.i, %B6763.i.i
-  %prepared_grid_v286__vphi308_0.2.0.i.i = phi double [ %.2948.i.i, %B6763.i.i ], [ 0.000000e+00, %_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE.exit170.i.i ]
+  %prepared_grid_v287__vphi308_0.2.0.i.i = phi double [ %.2948.i.i, %B6763.i.i ], [ 0.000000e+00, %_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE.exit170.i.i ]
   %.2989.i.i = load i64, ptr %.663.i33, align 8, !noalias !118
   %.2997.i.i = inttoptr i64 %.2989.i.i to ptr
   %.3226.i.i = load double, ptr %.904.i.i, align 8, !noalias !118
   %.3228.i.i = fsub contract double %.3226.i.i, %.1897.le.i
   store i64 0, ptr %.3274.i.i, align 8, !noalias !118
-  call fastcc void @inner_5(ptr nonnull %.3274.i.i, ptr %.2862.i.i, i64 %.2698.i.i, ptr %.2997.i.i, i64 %.2758.i.i, double %prepared_grid_v286__vphi308_0.2.0.i.i, double %.3228.i.i)
+  call fastcc void @inner_5(ptr nonnull %.3274.i.i, ptr %.2862.i.i, i64 %.2698.i.i, ptr %.2997.i.i, i64 %.2758.i.i, double %prepared_grid_v287__vphi308_0.2.0.i.i, double %.3228.i.i)
   %.3292.i.i = load i64, ptr %.3274.i.i, align 8, !noalias !118
   %.13.i.i46.i = tail call i64 @llvm.smin.i64(i64 %.1130.i47, i64 %.3292.i.i)
   store i64 %.13.i.i46.i, ptr %.746.i.i, align 8, !noalias !118
@@ -3446,7 +3446,7 @@ B6843.i.i:                                        ; preds = %_ZN17bnserve_surrog
   %.3406.i.i = load double, ptr %.3405.i.i, align 8, !noalias !118
   %.3408.i.i = fsub contract double %.3406.i.i, %.1897.le.i
   store i64 0, ptr %.3454.i.i, align 8, !noalias !118
-  call fastcc void @inner_5(ptr nonnull %.3454.i.i, ptr %.2862.i.i, i64 %.2698.i.i, ptr %.2997.i.i, i64 %.2758.i.i, double %prepared_grid_v286__vphi308_0.2.0.i.i, double %.3408.i.i)
+  call fastcc void @inner_5(ptr nonnull %.3454.i.i, ptr %.2862.i.i, i64 %.2698.i.i, ptr %.2997.i.i, i64 %.2758.i.i, double %prepared_grid_v287__vphi308_0.2.0.i.i, double %.3408.i.i)
   %.3472.i.i = load i64, ptr %.3454.i.i, align 8, !noalias !118
   %.13.i181.i.i = tail call i64 @llvm.smin.i64(i64 %.1130.i47, i64 %.3472.i.i)
   %.3547.i.i = getelementptr i8, ptr %.746.i.i, i64 8
@@ -3458,7 +3458,7 @@ B6843.i.i:                                        ; preds = %_ZN17bnserve_surrog
   %.181.i.i.i = icmp slt i64 %.527.i.i, 3
   %..143.i.i.i = select i1 %.181.i.i.i, i64 0, i64 %.143.i.i.i
   %.225207.i.i.i = icmp sgt i64 %..143.i.i.i, 0
-  br i1 %.225207.i.i.i, label %B92.if.preheader.i.i.i, label %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v279B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29.exit.i
+  br i1 %.225207.i.i.i, label %B92.if.preheader.i.i.i, label %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v280B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29.exit.i
 
 B94.if.lr.ph.i.i.i:                               ; preds = %for.end.2.i
   %217 = lshr i64 %.570.i.i, 33
@@ -3684,7 +3684,7 @@ B92.if.preheader.i.i.i:                           ; preds = %B6843.i.i
 
 B146.i.i.i:                                       ; preds = %B92.if.i.i.i
   %.291.i187.i.i = fsub contract double %.281.i.i.i, %.135.i.i.i
-  %.293.i.i.i = fmul contract double %prepared_grid_v286__vphi308_0.2.0.i.i, %.291.i187.i.i
+  %.293.i.i.i = fmul contract double %prepared_grid_v287__vphi308_0.2.0.i.i, %.291.i187.i.i
   %.5.i.i.i.i = fptosi double %.293.i.i.i to i64
   %.13.i5.i.i.i = tail call i64 @llvm.smin.i64(i64 %.2758.i.i, i64 %.5.i.i.i.i)
   %.354.i.i.i = getelementptr inbounds i64, ptr %.2997.i.i, i64 %.13.i5.i.i.i
@@ -3718,7 +3718,7 @@ B386.i.i.i:                                       ; preds = %B346.i.i.i, %B324.i
   %251 = getelementptr i64, ptr %.810.i.i, i64 %.231203208.i.i.i
   store i64 %.13.i.i.i52.i, ptr %251, align 8, !noalias !121
   %exitcond216.not.i.i.i = icmp eq i64 %.238.i.i.i, %..143.i.i.i
-  br i1 %exitcond216.not.i.i.i, label %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v279B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29.exit.i, label %B92.if.i.i.i
+  br i1 %exitcond216.not.i.i.i, label %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v280B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29.exit.i, label %B92.if.i.i.i
 
 B92.if.i.i.i:                                     ; preds = %B386.i.i.i, %B92.if.preheader.i.i.i
   %end.3.0210.i.i.i = phi i64 [ %end.4.1.i.i.i, %B386.i.i.i ], [ 0, %B92.if.preheader.i.i.i ]
@@ -3732,7 +3732,7 @@ B92.if.i.i.i:                                     ; preds = %B386.i.i.i, %B92.if
   %.287.i.i50.i = fcmp contract ult double %.281.i.i.i, %.135.i.i.i
   br i1 %.287.i.i50.i, label %B386.i.i.i, label %B146.i.i.i
 
-_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v279B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29.exit.i: ; preds = %B386.i.i.i, %B6843.i.i
+_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v280B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29.exit.i: ; preds = %B386.i.i.i, %B6843.i.i
   %.586.inv.i.i.i = icmp sgt i64 %.527.i.i, 1
   %.587.i.i.i = select i1 %.586.inv.i.i.i, i64 0, i64 %.570.i.i
   %252 = getelementptr i64, ptr %.810.i.i, i64 %.143.i.i.i
@@ -3753,9 +3753,9 @@ _ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v279B86c8tJTIeFIjxB2IKSgI
   %253 = tail call i64 @llvm.smax.i64(i64 %.623.i.i, i64 0)
   %254 = trunc i64 %253 to i62
   %.10156.i.i.i = icmp sgt i62 %254, 0
-  br i1 %.10156.i.i.i, label %B40.if.preheader.i.i.i, label %_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit.i
+  br i1 %.10156.i.i.i, label %B40.if.preheader.i.i.i, label %_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v308B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit.i
 
-B40.if.preheader.i.i.i:                           ; preds = %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v279B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29.exit.i
+B40.if.preheader.i.i.i:                           ; preds = %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v280B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29.exit.i
   %.1290.idx.i.i = mul i64 %.589.1.i.i, -96
   %.1290.i.i = getelementptr inbounds i8, ptr %.737.i.i, i64 %.1290.idx.i.i
   %.1223.idx.i.i = shl nsw i64 %.623.i.i, 6
@@ -3763,9 +3763,9 @@ B40.if.preheader.i.i.i:                           ; preds = %_ZN17bnserve_surrog
   %255 = shl i64 %253, 5
   tail call void @llvm.memset.p0.i64(ptr align 8 %.1223.i.i, i8 0, i64 %255, i1 false), !noalias !139
   tail call void @llvm.memset.p0.i64(ptr align 8 %.1290.i.i, i8 0, i64 %255, i1 false), !noalias !142
-  br label %_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit.i
+  br label %_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v308B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit.i
 
-_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit.i: ; preds = %B40.if.preheader.i.i.i, %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v279B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29.exit.i
+_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v308B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE.exit.i: ; preds = %B40.if.preheader.i.i.i, %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v280B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29.exit.i
   %.1675.idx.i.i = shl nsw i64 %.623.i.i, 7
   %.1675.i.i = getelementptr inbounds i8, ptr %.737.i.i, i64 %.1675.idx.i.i
   tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %.1675.i.i, i8 0, i64 32, i1 false), !noalias !136
@@ -3827,9 +3827,9 @@ B1066.if.i96:                                     ; preds = %B1066.if.lr.ph.i, %
   %.2501.not.i100 = icmp sgt i64 %.19.i.i99, %.242734673523.i
   br i1 %.2501.not.i100, label %B1100.i117, label %B1872.i101
 
-B48.if.i.i:                                       ; preds = %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321, %B48.if.i.i
-  %lsr.iv44.i = phi i64 [ %lsr.iv.next45.i, %B48.if.i.i ], [ %266, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321 ]
-  %lsr.iv243.i = phi ptr [ %scevgep244.i, %B48.if.i.i ], [ %.3014.i, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321 ]
+B48.if.i.i:                                       ; preds = %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321, %B48.if.i.i
+  %lsr.iv44.i = phi i64 [ %lsr.iv.next45.i, %B48.if.i.i ], [ %266, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321 ]
+  %lsr.iv243.i = phi ptr [ %scevgep244.i, %B48.if.i.i ], [ %.3014.i, %_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E.exit.i321 ]
   %.165.i.i = load <8 x double>, ptr %lsr.iv243.i, align 8, !noalias !145
   %.8.i.i.i374 = fmul contract <8 x double> %.7.i.i.i, %.165.i.i
   %.195.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i374, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
@@ -3894,9 +3894,9 @@ B1484.if.i322:                                    ; preds = %B1484.if.preheader.
   %niter.ncmp.3.not.i324 = icmp eq i64 %lsr.iv.next51.i, 0
   br i1 %niter.ncmp.3.not.i324, label %B1564.loopexit.unr-lcssa.i, label %B1484.if.i322
 
-B1722.if.i:                                       ; preds = %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v427B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1722.if.preheader.i
-  %lsr.iv283.i = phi ptr [ %scevgep284.i, %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v427B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %scevgep282.i, %B1722.if.preheader.i ]
-  %lsr.iv280.i = phi i64 [ %lsr.iv.next281.i, %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v427B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %257, %B1722.if.preheader.i ]
+B1722.if.i:                                       ; preds = %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1722.if.preheader.i
+  %lsr.iv283.i = phi ptr [ %scevgep284.i, %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %scevgep282.i, %B1722.if.preheader.i ]
+  %lsr.iv280.i = phi i64 [ %lsr.iv.next281.i, %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %257, %B1722.if.preheader.i ]
   %.3588.i = load i64, ptr %256, align 8, !noalias !66
   %.313.i.i = getelementptr i8, ptr %lsr.iv283.i, i64 16
   %.314.i.i = load i64, ptr %.313.i.i, align 8, !noalias !148
@@ -3929,7 +3929,7 @@ B1722.if.i:                                       ; preds = %_ZN17bnserve_surrog
   %.890.i.i.i = inttoptr i64 %.888.i.i64.i to ptr
   store ptr null, ptr %.946.i.i.i, align 8, !noalias !151
   call fastcc void @inner_8(ptr nonnull %.946.i.i.i, i64 %.317.i.i, ptr %.890.i.i.i, i64 %.751.i.i.i, ptr nonnull %.542.i.i63.i, ptr nonnull %.630.i.i.i)
-  br i1 %.177193.not.i.i.i.i, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i, label %B48.if.lr.ph.i.i.i.i
+  br i1 %.177193.not.i.i.i.i, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v452B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i, label %B48.if.lr.ph.i.i.i.i
 
 B48.if.lr.ph.i.i.i.i:                             ; preds = %B1722.if.i
   %.412.i.i.i.i = insertelement <8 x double> poison, double %.349.i58.i, i64 0
@@ -3961,15 +3961,15 @@ B48.if.i.i.i.i:                                   ; preds = %B48.if.i.i.i.i, %B4
   %scevgep.i.i68.i = getelementptr i8, ptr %lsr.iv.i.i65.i, i64 64
   %lsr.iv.next.i.i69.i = add nsw i64 %lsr.iv2.i.i.i, -1
   %.177.i.i.i70.i = icmp sgt i64 %lsr.iv2.i.i.i, 9
-  br i1 %.177.i.i.i70.i, label %B48.if.i.i.i.i, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i
+  br i1 %.177.i.i.i70.i, label %B48.if.i.i.i.i, label %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v452B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i
 
-_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i: ; preds = %B48.if.i.i.i.i, %B1722.if.i
+_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v452B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i: ; preds = %B48.if.i.i.i.i, %B1722.if.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.808.i.i.i), !noalias !148
   call void @llvm.lifetime.end.p0(ptr nonnull %.946.i.i.i), !noalias !148
   %.467.i.i = icmp eq i64 %.314.i.i, 0
-  br i1 %.467.i.i, label %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v427B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B182.i.i
+  br i1 %.467.i.i, label %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B182.i.i
 
-B182.i.i:                                         ; preds = %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i
+B182.i.i:                                         ; preds = %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v452B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i
   %.1004.i.i = load i64, ptr %.1148, align 8, !noalias !148
   %.1008.i.i = inttoptr i64 %.1004.i.i to ptr
   %.1084.i.i = getelementptr i8, ptr %.1008.i.i, i64 16
@@ -4819,13 +4819,13 @@ switch.end.endif.endif.i.i.i:                     ; preds = %B196.i.i.i.i, %B196
   call fastcc void @inner_12(ptr nonnull %.2885.i.i.i, ptr %.1763.i.i.i, i64 %.13.i67.i.i.i, i64 %.13.i69.i.i.i, double %.2543.le.i.i, ptr %.906.i.i.i, ptr %.812.i.i.i, i64 %.1843.i.i.i, ptr readonly %.2388.i.i.i, i64 %.242734673523.i, i64 %.572.i.i.i, ptr %.2555.fca.4.load.pn.i.i.i, i64 %.2050.i.i.i, ptr nonnull %arg.state.12.4)
   %.2911.i.i.i = load i64, ptr %.2885.i.i.i, align 8, !noalias !176
   store i64 %.2911.i.i.i, ptr %.1842.i.i.i, align 8, !noalias !176
-  br i1 %exitcond.not.i.i121.i, label %_ZN17bnserve_surrogate7adjoint6_ratio16ratio_block_backB4v474B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxd.exit.i.i, label %B8793.if.i.i.i
+  br i1 %exitcond.not.i.i121.i, label %_ZN17bnserve_surrogate7adjoint6_ratio16ratio_block_backB4v475B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxd.exit.i.i, label %B8793.if.i.i.i
 
-_ZN17bnserve_surrogate7adjoint6_ratio16ratio_block_backB4v474B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxd.exit.i.i: ; preds = %switch.end.endif.endif.i.i.i
+_ZN17bnserve_surrogate7adjoint6_ratio16ratio_block_backB4v475B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxd.exit.i.i: ; preds = %switch.end.endif.endif.i.i.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.2885.i.i.i), !noalias !148
-  br label %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v427B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br label %_ZN17bnserve_surrogate7adjoint4_row5_modeB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-_ZN17bnserve_surrogate7adjoint4_row5_modeB4v427B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %_ZN17bnserve_surrogate7adjoint6_ratio16ratio_block_backB4v474B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxd.exit.i.i, %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i
+_ZN17bnserve_surrogate7adjoint4_row5_modeB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %_ZN17bnserve_surrogate7adjoint6_ratio16ratio_block_backB4v475B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxd.exit.i.i, %_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v452B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i.i
   %lsr.iv.next281.i = add i64 %lsr.iv280.i, -1
   %scevgep284.i = getelementptr i8, ptr %lsr.iv283.i, i64 72
   %.3437.i = icmp sgt i64 %lsr.iv.next281.i, 1
@@ -4833,15 +4833,15 @@ _ZN17bnserve_surrogate7adjoint4_row5_modeB4v427B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMb
 
 B1794.if.i332:                                    ; preds = %B1794.i
   %.3756.i = load ptr, ptr %excinfo.23.i17, align 8, !noalias !66
-  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
+  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v648B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
 
 B1872.if.i104:                                    ; preds = %B1872.i101
   %.3887.i = load ptr, ptr %excinfo.24.i18, align 8, !noalias !66
-  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
+  br label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v648B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
 
 B1872.endif.i105:                                 ; preds = %B1872.i101
   %.40003539.not.i = icmp slt i64 %.1678.i, 1
-  br i1 %.40003539.not.i, label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit, label %B1906.if.preheader.i
+  br i1 %.40003539.not.i, label %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v648B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit, label %B1906.if.preheader.i
 
 B1906.if.preheader.i:                             ; preds = %B1872.endif.i105
   %342 = inttoptr i64 %.1579.i to ptr
@@ -4859,7 +4859,7 @@ B1906.if.i:                                       ; preds = %B1906.if.preheader.
   %.4157.i = icmp sgt i64 %.4156.i, 0
   br i1 %.4157.i, label %B10503.i, label %B10581.i
 
-_ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B10581.i, %B1872.endif.i105, %for.end.1.endif.if.i54, %B1794.if.i332, %B1872.if.i104
+_ZN17bnserve_surrogate7adjoint4_row6_orderB4v648B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B10581.i, %B1872.endif.i105, %for.end.1.endif.if.i54, %B1794.if.i332, %B1872.if.i104
   %excinfo.12.1 = phi ptr [ %.1202.i55, %for.end.1.endif.if.i54 ], [ %.3887.i, %B1872.if.i104 ], [ %.3756.i, %B1794.if.i332 ], [ %excinfo.12.0, %B1872.endif.i105 ], [ %excinfo.12.0, %B10581.i ]
   %common.ret.op.i56 = phi i32 [ 1, %for.end.1.endif.if.i54 ], [ 1, %B1872.if.i104 ], [ %.3755.i330, %B1794.if.i332 ], [ 0, %B1872.endif.i105 ], [ 0, %B10581.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.1112.i11)
@@ -4873,7 +4873,7 @@ _ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %cond1 = icmp eq i32 %common.ret.op.i56, 0
   br i1 %cond1, label %B888.endif, label %B888.if, !prof !23
 
-B978:                                             ; preds = %B888.endif, %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v187B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit, %B440
+B978:                                             ; preds = %B888.endif, %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v188B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit, %B440
   %.413.i = shl i64 %arg.state.7.0, 2
   %.798.i = getelementptr double, ptr %arg.state.8.0.4, i64 %.413.i
   %.1108.i = load i64, ptr %.1339.i, align 8, !noalias !186
@@ -4896,13 +4896,13 @@ B978:                                             ; preds = %B888.endif, %_ZN17b
   %sunkaddr28.i = getelementptr i8, ptr %arg.state.12.4, i64 56
   br label %B38.if.i.i
 
-B38.if.i.i:                                       ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B978
-  %lsr.iv31.i.i = phi ptr [ %.798.i, %B978 ], [ %scevgep32.i.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %lsr.iv.i.i402 = phi ptr [ %.2258.i, %B978 ], [ %scevgep.i.i415, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %found.2.0184.i.i = phi double [ 0.000000e+00, %B978 ], [ %.389.i.i414, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
-  %.142178182.i.i = phi i64 [ 0, %B978 ], [ %.149.i.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+B38.if.i.i:                                       ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, %B978
+  %lsr.iv31.i.i = phi ptr [ %.798.i, %B978 ], [ %scevgep32.i.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %lsr.iv.i.i402 = phi ptr [ %.2258.i, %B978 ], [ %scevgep.i.i415, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %found.2.0184.i.i = phi double [ 0.000000e+00, %B978 ], [ %.389.i.i414, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
+  %.142178182.i.i = phi i64 [ 0, %B978 ], [ %.149.i.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ]
   %.149.i.i = add nuw nsw i64 %.142178182.i.i, 1
-  br i1 %347, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B78.if.i.i.i
+  br i1 %347, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B78.if.i.i.i
 
 B78.if.i.i.i:                                     ; preds = %B38.if.i.i, %B78.if.i.i.i
   %lsr.iv.i403 = phi i64 [ %lsr.iv.next.i406, %B78.if.i.i.i ], [ %346, %B38.if.i.i ]
@@ -4916,9 +4916,9 @@ B78.if.i.i.i:                                     ; preds = %B38.if.i.i, %B78.if
   %lsr.iv.next2.i.i.i = add i64 %lsr.iv1.i.i.i, 64
   %lsr.iv.next.i406 = add nsw i64 %lsr.iv.i403, -1
   %.133.i.i.i407 = icmp sgt i64 %lsr.iv.i403, 8
-  br i1 %.133.i.i.i407, label %B78.if.i.i.i, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br i1 %.133.i.i.i407, label %B78.if.i.i.i, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
-_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B78.if.i.i.i, %B38.if.i.i
+_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B78.if.i.i.i, %B38.if.i.i
   %sum_of.2.0.lcssa.i.i.i = phi <8 x double> [ zeroinitializer, %B38.if.i.i ], [ %.192.i.i.i405, %B78.if.i.i.i ]
   store <8 x double> %sum_of.2.0.lcssa.i.i.i, ptr %arg.state.12.4, align 8, !noalias !189
   %.260.i.i.i408 = load double, ptr %arg.state.12.4, align 8, !noalias !189
@@ -4942,7 +4942,7 @@ _ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbC
   %exitcond.not.i.i416 = icmp eq i64 %.149.i.i, 3
   br i1 %exitcond.not.i.i416, label %B0.endif.endif.endif.endif.endif.endif.endif.i, label %B38.if.i.i
 
-B0.endif.endif.endif.endif.endif.endif.endif.i:   ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B0.endif.endif.endif.endif.endif.endif.endif.i:   ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   %.566.i = shl i64 %arg.state.7.1, 2
   %.949.i = getelementptr double, ptr %arg.state.8.1.4, i64 %.566.i
   %.308.i26.i = sub i64 1, %.1145.i
@@ -4954,13 +4954,13 @@ B0.endif.endif.endif.endif.endif.endif.endif.i:   ; preds = %_ZN17bnserve_surrog
   %351 = icmp ult i64 %.316.1.i27.i, -9223372036854775807
   br label %B38.if.i36.i
 
-B38.if.i36.i:                                     ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i, %B0.endif.endif.endif.endif.endif.endif.endif.i
-  %lsr.iv31.i37.i = phi ptr [ %.949.i, %B0.endif.endif.endif.endif.endif.endif.endif.i ], [ %scevgep32.i73.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i ]
-  %lsr.iv.i38.i = phi ptr [ %.2409.i, %B0.endif.endif.endif.endif.endif.endif.endif.i ], [ %scevgep.i72.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i ]
-  %found.2.0184.i39.i = phi double [ 0.000000e+00, %B0.endif.endif.endif.endif.endif.endif.endif.i ], [ %.389.i71.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i ]
-  %.142178182.i40.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.endif.endif.i ], [ %.149.i41.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i ]
+B38.if.i36.i:                                     ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i, %B0.endif.endif.endif.endif.endif.endif.endif.i
+  %lsr.iv31.i37.i = phi ptr [ %.949.i, %B0.endif.endif.endif.endif.endif.endif.endif.i ], [ %scevgep32.i73.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i ]
+  %lsr.iv.i38.i = phi ptr [ %.2409.i, %B0.endif.endif.endif.endif.endif.endif.endif.i ], [ %scevgep.i72.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i ]
+  %found.2.0184.i39.i = phi double [ 0.000000e+00, %B0.endif.endif.endif.endif.endif.endif.endif.i ], [ %.389.i71.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i ]
+  %.142178182.i40.i = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.endif.endif.i ], [ %.149.i41.i, %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i ]
   %.149.i41.i = add nuw nsw i64 %.142178182.i40.i, 1
-  br i1 %351, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i, label %B78.if.i.i42.i
+  br i1 %351, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i, label %B78.if.i.i42.i
 
 B78.if.i.i42.i:                                   ; preds = %B38.if.i36.i, %B78.if.i.i42.i
   %lsr.iv21.i = phi i64 [ %lsr.iv.next22.i, %B78.if.i.i42.i ], [ %350, %B38.if.i36.i ]
@@ -4974,9 +4974,9 @@ B78.if.i.i42.i:                                   ; preds = %B38.if.i36.i, %B78.
   %lsr.iv.next2.i.i51.i = add i64 %lsr.iv1.i.i44.i, 64
   %lsr.iv.next22.i = add nsw i64 %lsr.iv21.i, -1
   %.133.i.i53.i = icmp sgt i64 %lsr.iv21.i, 8
-  br i1 %.133.i.i53.i, label %B78.if.i.i42.i, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i
+  br i1 %.133.i.i53.i, label %B78.if.i.i42.i, label %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i
 
-_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i: ; preds = %B78.if.i.i42.i, %B38.if.i36.i
+_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i: ; preds = %B78.if.i.i42.i, %B38.if.i36.i
   %sum_of.2.0.lcssa.i.i55.i = phi <8 x double> [ zeroinitializer, %B38.if.i36.i ], [ %.192.i.i50.i, %B78.if.i.i42.i ]
   store <8 x double> %sum_of.2.0.lcssa.i.i55.i, ptr %arg.state.12.4, align 8, !noalias !194
   %.260.i.i56.i = load double, ptr %arg.state.12.4, align 8, !noalias !194
@@ -4998,9 +4998,9 @@ _ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbC
   %scevgep.i72.i = getelementptr i8, ptr %lsr.iv.i38.i, i64 %349
   %scevgep32.i73.i = getelementptr i8, ptr %lsr.iv31.i37.i, i64 %349
   %exitcond.not.i74.i = icmp eq i64 %.149.i41.i, 3
-  br i1 %exitcond.not.i74.i, label %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i, label %B38.if.i36.i
+  br i1 %exitcond.not.i74.i, label %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i, label %B38.if.i36.i
 
-_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i: ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i
+_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i: ; preds = %_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i54.i
   %.1213.i = getelementptr double, ptr %arg.state.2.4, i64 %.1197.i
   %.1319.i = getelementptr double, ptr %arg.state.2.4, i64 %.1303.i
   %.1519.i = fadd contract double %.389.i.i414, %.389.i71.i
@@ -5104,9 +5104,9 @@ _ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI
   %.221.i.i = add nsw i64 %.1108.i, -1
   %..221.i.i = select i1 %.1722.i, i64 0, i64 %.221.i.i
   %.301290.i.i = icmp sgt i64 %..221.i.i, 0
-  br i1 %.301290.i.i, label %B180.if.lr.ph.i.i, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v643B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.301290.i.i, label %B180.if.lr.ph.i.i, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v644B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-B180.if.lr.ph.i.i:                                ; preds = %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i
+B180.if.lr.ph.i.i:                                ; preds = %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i
   %376 = getelementptr double, ptr %.798.i, i64 %arg.state.7.0
   %377 = getelementptr double, ptr %.798.i, i64 %.1705.2.i
   %.idx.i.i425 = mul i64 %arg.state.7.0, 24
@@ -5165,11 +5165,11 @@ B180.if.i.i:                                      ; preds = %B180.if.i.i, %B180.
   %lsr.iv.next.i80.i = add nuw i64 %lsr.iv.i77.i, 8
   %lsr.iv.next34.i.i = add i64 %lsr.iv33.i.i, -1
   %exitcond.not.i81.i = icmp eq i64 %lsr.iv.next34.i.i, 0
-  br i1 %exitcond.not.i81.i, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v643B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B180.if.i.i
+  br i1 %exitcond.not.i81.i, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v644B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B180.if.i.i
 
-_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v643B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B180.if.i.i, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i
-  %value.2.0.lcssa.i.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i ], [ %.371.i.i, %B180.if.i.i ]
-  %curvature.2.0.lcssa.i.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i ], [ %.490.i.i, %B180.if.i.i ]
+_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v644B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B180.if.i.i, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i
+  %value.2.0.lcssa.i.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i ], [ %.371.i.i, %B180.if.i.i ]
+  %curvature.2.0.lcssa.i.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit75.i ], [ %.490.i.i, %B180.if.i.i ]
   %.519.i.i = shl nsw i64 %.221.i.i, 3
   %.521.i.i = add nsw i64 %.519.i.i, %arg.state.5
   %.538.i.i = icmp slt i64 %.521.i.i, 0
@@ -5192,9 +5192,9 @@ _ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v643B86c8tJTIeFIjxB2IKSgI4C
   %.221.i87.i = add nsw i64 %.1145.i, -1
   %..221.i89.i = select i1 %.1826.i, i64 0, i64 %.221.i87.i
   %.301290.i90.i = icmp sgt i64 %..221.i89.i, 0
-  br i1 %.301290.i90.i, label %B180.if.lr.ph.i102.i, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.301290.i90.i, label %B180.if.lr.ph.i102.i, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-B180.if.lr.ph.i102.i:                             ; preds = %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v643B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i
+B180.if.lr.ph.i102.i:                             ; preds = %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v644B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i
   %390 = getelementptr double, ptr %.949.i, i64 %arg.state.7.1
   %391 = getelementptr double, ptr %.949.i, i64 %.1809.2.i
   %.idx.i103.i = mul i64 %arg.state.7.1, 24
@@ -5255,11 +5255,11 @@ B180.if.i106.i:                                   ; preds = %B180.if.i106.i, %B1
   %lsr.iv.next.i142.i = add nuw i64 %lsr.iv.i108.i, 8
   %lsr.iv.next34.i143.i = add i64 %lsr.iv33.i107.i, -1
   %exitcond.not.i144.i424 = icmp eq i64 %lsr.iv.next34.i143.i, 0
-  br i1 %exitcond.not.i144.i424, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B180.if.i106.i
+  br i1 %exitcond.not.i144.i424, label %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B180.if.i106.i
 
-_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B180.if.i106.i, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v643B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %value.2.0.lcssa.i91.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v643B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.371.i117.i, %B180.if.i106.i ]
-  %curvature.2.0.lcssa.i92.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v643B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.490.i141.i, %B180.if.i106.i ]
+_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B180.if.i106.i, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v644B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %value.2.0.lcssa.i91.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v644B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.371.i117.i, %B180.if.i106.i ]
+  %curvature.2.0.lcssa.i92.i = phi double [ 0.000000e+00, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v644B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.490.i141.i, %B180.if.i106.i ]
   %.519.i93.i = shl nsw i64 %.221.i87.i, 3
   %.521.i94.i = add nsw i64 %.519.i93.i, %.203.i.i
   %.538.i95.i = icmp slt i64 %.521.i94.i, 0
@@ -5336,9 +5336,9 @@ _ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4C
   %sunkaddr55.i = getelementptr i8, ptr %arg.sums.4, i64 2888
   br label %B44.if.i.i
 
-B44.if.i.i:                                       ; preds = %B238.if.i.i, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %lsr.iv.i157.i = phi ptr [ %scevgep9.i.i421, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %scevgep10.i.i, %B238.if.i.i ]
-  %.133223233.i.i = phi i64 [ 0, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.140.i.i, %B238.if.i.i ]
+B44.if.i.i:                                       ; preds = %B238.if.i.i, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %lsr.iv.i157.i = phi ptr [ %scevgep9.i.i421, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %scevgep10.i.i, %B238.if.i.i ]
+  %.133223233.i.i = phi i64 [ 0, %_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.140.i.i, %B238.if.i.i ]
   br label %B98.if.i.i
 
 B98.if.i.i:                                       ; preds = %B98.if.i.i, %B44.if.i.i
@@ -5425,9 +5425,9 @@ B238.if.i.i:                                      ; preds = %B98.if.i.i
   store double %.596.i.i423, ptr %418, align 8, !noalias !205
   %scevgep10.i.i = getelementptr i8, ptr %lsr.iv.i157.i, i64 384
   %exitcond242.not.i.i = icmp eq i64 %.140.i.i, 5
-  br i1 %exitcond242.not.i.i, label %_ZN17bnserve_surrogate7adjoint4_row7_finishB4v632B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B44.if.i.i
+  br i1 %exitcond242.not.i.i, label %_ZN17bnserve_surrogate7adjoint4_row7_finishB4v633B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B44.if.i.i
 
-_ZN17bnserve_surrogate7adjoint4_row7_finishB4v632B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B238.if.i.i
+_ZN17bnserve_surrogate7adjoint4_row7_finishB4v633B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B238.if.i.i
   %419 = getelementptr i8, ptr %arg.sums.4, i64 3008
   %.2863.i = load double, ptr %419, align 8, !noalias !186
   store double %.2863.i, ptr %arg.out.4, align 8, !noalias !186
@@ -5463,17 +5463,17 @@ B60.endif:                                        ; preds = %B34.if.i128.i, %B61
   %429 = or i1 %.15.le.i.i.i, %.17.le.i.i.i
   %430 = tail call contract double @llvm.log.f64(double %.81.i.i)
   %.31.le.i.i.i = select i1 %429, double %430, double 0.000000e+00
-  %.5.i.i.i.i437 = fmul contract double %.31.le.i.i.i, 1.230000e-04
-  %.6.i.i.i.i438 = fadd contract double %.5.i.i.i.i437, -4.210000e-03
-  %.7.i.i.i.i439 = fmul contract double %.31.le.i.i.i, %.6.i.i.i.i438
-  %.8.i.i.i.i440 = fadd contract double %.7.i.i.i.i439, 4.740000e-02
-  %.9.i.i.i.i = fmul contract double %.31.le.i.i.i, %.8.i.i.i.i440
+  %.5.i.i.i.i436 = fmul contract double %.31.le.i.i.i, 1.230000e-04
+  %.6.i.i.i.i437 = fadd contract double %.5.i.i.i.i436, -4.210000e-03
+  %.7.i.i.i.i438 = fmul contract double %.31.le.i.i.i, %.6.i.i.i.i437
+  %.8.i.i.i.i439 = fadd contract double %.7.i.i.i.i438, 4.740000e-02
+  %.9.i.i.i.i = fmul contract double %.31.le.i.i.i, %.8.i.i.i.i439
   %.10.i.i.i.i = fadd contract double %.9.i.i.i.i, 9.360000e-02
   %.11.i.i.i.i = fmul contract double %.31.le.i.i.i, %.10.i.i.i.i
   %.12.i.i.i.i = fadd contract double %.11.i.i.i.i, 1.940000e-01
   %.62.i.i.i = fcmp contract ogt double %.81.i.i, 1.000000e+00
-  %.64.i.i.i441 = uitofp i1 %.62.i.i.i to double
-  %.65.i.i.i = fmul contract double %.12.i.i.i.i, %.64.i.i.i441
+  %.64.i.i.i440 = uitofp i1 %.62.i.i.i to double
+  %.65.i.i.i = fmul contract double %.12.i.i.i.i, %.64.i.i.i440
   %.73.le.i.i.i = tail call contract double @llvm.exp.f64(double %.65.i.i.i)
   %.15.le.i3.i.i = fcmp contract uno double %.111.i.i, 0.000000e+00
   %.17.le.i4.i.i = fcmp contract oge double %.111.i.i, 1.000000e+00
@@ -5492,17 +5492,17 @@ B60.endif:                                        ; preds = %B34.if.i128.i, %B61
   %.64.i15.i.i = uitofp i1 %.62.i14.i.i to double
   %.65.i16.i.i = fmul contract double %.12.i.i13.i.i, %.64.i15.i.i
   %.73.le.i17.i.i = tail call contract double @llvm.exp.f64(double %.65.i16.i.i)
-  %.8.i.i.i442 = fcmp contract ugt double %.81.i.i, 1.000000e+00
-  br i1 %.8.i.i.i442, label %for.end.i.i.i, label %B0.endif.endif.endif.i.i
+  %.8.i.i.i441 = fcmp contract ugt double %.81.i.i, 1.000000e+00
+  br i1 %.8.i.i.i441, label %for.end.i.i.i, label %B0.endif.endif.endif.i.i
 
 for.end.i.i.i:                                    ; preds = %B60.endif
   %.31.i.i.i = fdiv contract double 1.000000e-30, %.81.i.i
   %.58.i.i.i.i.i = fmul contract double %430, 0.000000e+00
   %.64.i.i.i.i.i = fmul contract double %.31.i.i.i, 1.230000e-04
   %.80.i.i.i.i.i = fadd contract double %.58.i.i.i.i.i, %.64.i.i.i.i.i
-  %.46.i.i.i.i.i491 = fmul contract double %430, 1.230000e-04
-  %.52.i.i.i.i.i492 = fmul contract double %.31.i.i.i, 0.000000e+00
-  %.70.i.i.i.i.i = fsub contract double %.46.i.i.i.i.i491, %.52.i.i.i.i.i492
+  %.46.i.i.i.i.i483 = fmul contract double %430, 1.230000e-04
+  %.52.i.i.i.i.i484 = fmul contract double %.31.i.i.i, 0.000000e+00
+  %.70.i.i.i.i.i = fsub contract double %.46.i.i.i.i.i483, %.52.i.i.i.i.i484
   %.69.i.i.i.i = fadd contract double %.70.i.i.i.i.i, -4.210000e-03
   %.58.i1.i.i.i.i = fmul contract double %430, %.80.i.i.i.i.i
   %.64.i2.i.i.i.i = fmul contract double %.31.i.i.i, %.69.i.i.i.i
@@ -5510,21 +5510,21 @@ for.end.i.i.i:                                    ; preds = %B60.endif
   %.46.i4.i.i.i.i = fmul contract double %430, %.69.i.i.i.i
   %.52.i5.i.i.i.i = fmul contract double %.31.i.i.i, %.80.i.i.i.i.i
   %.70.i6.i.i.i.i = fsub contract double %.46.i4.i.i.i.i, %.52.i5.i.i.i.i
-  %.129.i.i.i.i493 = fadd contract double %.70.i6.i.i.i.i, 4.740000e-02
-  %.132.i.i.i.i494 = fadd contract double %.80.i3.i.i.i.i, 0.000000e+00
-  %.58.i8.i.i.i.i = fmul contract double %430, %.132.i.i.i.i494
-  %.64.i9.i.i.i.i = fmul contract double %.31.i.i.i, %.129.i.i.i.i493
+  %.129.i.i.i.i485 = fadd contract double %.70.i6.i.i.i.i, 4.740000e-02
+  %.132.i.i.i.i486 = fadd contract double %.80.i3.i.i.i.i, 0.000000e+00
+  %.58.i8.i.i.i.i = fmul contract double %430, %.132.i.i.i.i486
+  %.64.i9.i.i.i.i = fmul contract double %.31.i.i.i, %.129.i.i.i.i485
   %.80.i10.i.i.i.i = fadd contract double %.64.i9.i.i.i.i, %.58.i8.i.i.i.i
-  %.46.i11.i.i.i.i = fmul contract double %430, %.129.i.i.i.i493
-  %.52.i12.i.i.i.i = fmul contract double %.31.i.i.i, %.132.i.i.i.i494
+  %.46.i11.i.i.i.i = fmul contract double %430, %.129.i.i.i.i485
+  %.52.i12.i.i.i.i = fmul contract double %.31.i.i.i, %.132.i.i.i.i486
   %.70.i13.i.i.i.i = fsub contract double %.46.i11.i.i.i.i, %.52.i12.i.i.i.i
-  %.189.i.i.i.i495 = fadd contract double %.70.i13.i.i.i.i, 9.360000e-02
-  %.192.i.i.i.i496 = fadd contract double %.80.i10.i.i.i.i, 0.000000e+00
-  %.58.i15.i.i.i.i = fmul contract double %430, %.192.i.i.i.i496
-  %.64.i16.i.i.i.i = fmul contract double %.31.i.i.i, %.189.i.i.i.i495
+  %.189.i.i.i.i487 = fadd contract double %.70.i13.i.i.i.i, 9.360000e-02
+  %.192.i.i.i.i488 = fadd contract double %.80.i10.i.i.i.i, 0.000000e+00
+  %.58.i15.i.i.i.i = fmul contract double %430, %.192.i.i.i.i488
+  %.64.i16.i.i.i.i = fmul contract double %.31.i.i.i, %.189.i.i.i.i487
   %.80.i17.i.i.i.i = fadd contract double %.64.i16.i.i.i.i, %.58.i15.i.i.i.i
-  %.252.i.i.i.i497 = fadd contract double %.80.i17.i.i.i.i, 0.000000e+00
-  %.104.i.i.i = fdiv contract double %.252.i.i.i.i497, 1.000000e-30
+  %.252.i.i.i.i489 = fadd contract double %.80.i17.i.i.i.i, 0.000000e+00
+  %.104.i.i.i = fdiv contract double %.252.i.i.i.i489, 1.000000e-30
   %.105.i.i.i = fmul contract double %.73.le.i.i.i, %.104.i.i.i
   br label %B0.endif.endif.endif.i.i
 
@@ -5568,12 +5568,12 @@ for.end.i20.i.i:                                  ; preds = %B0.endif.endif.endi
 
 B238.if.lr.ph.i.i:                                ; preds = %for.end.i20.i.i, %B0.endif.endif.endif.i.i
   %storemerge.i19.i.i = phi double [ %.105.i65.i.i, %for.end.i20.i.i ], [ 0.000000e+00, %B0.endif.endif.endif.i.i ]
-  %scevgep.i.i443 = getelementptr i8, ptr %arg.state.10.0.4, i64 1144
-  %sunkaddr142.i.i = getelementptr i8, ptr %arg.state.6.4, i64 24
-  %sunkaddr143.i.i444 = getelementptr i8, ptr %arg.state.6.4, i64 32
+  %scevgep.i.i442 = getelementptr i8, ptr %arg.state.10.0.4, i64 1144
+  %sunkaddr7.i.i = getelementptr i8, ptr %arg.state.6.4, i64 24
+  %sunkaddr8.i.i = getelementptr i8, ptr %arg.state.6.4, i64 32
   %433 = getelementptr i8, ptr %arg.state.10.0.4, i64 256
   %434 = getelementptr i8, ptr %arg.state.10.0.4, i64 512
-  %.80.i1.i.i.i = getelementptr inbounds nuw i8, ptr %arg.state.10.0.4, i64 8
+  %.80.i1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 8
   %.222.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 32
   %.225.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 40
   %.445.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 48
@@ -5604,217 +5604,170 @@ B238.if.lr.ph.i.i:                                ; preds = %for.end.i20.i.i, %B
   %.4478.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 184
   %.4963.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 432
   %.4966.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 440
-  %sunkaddr173.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 16
-  %sunkaddr175.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 24
-  %sunkaddr173.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 80
-  %sunkaddr175.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 88
+  %sunkaddr183.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 16
+  %sunkaddr185.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 24
+  %sunkaddr183.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 80
+  %sunkaddr185.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 88
   %sunkaddr.4.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 128
-  %sunkaddr171.4.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 136
+  %sunkaddr181.4.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 136
   %sunkaddr.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 192
-  %sunkaddr171.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 200
-  %sunkaddr173.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 208
-  %sunkaddr175.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 216
+  %sunkaddr181.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 200
+  %sunkaddr183.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 208
+  %sunkaddr185.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 216
   %sunkaddr.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 224
-  %sunkaddr171.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 232
-  %sunkaddr173.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 240
-  %sunkaddr175.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 248
-  %scevgep152.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 280
-  %scevgep160.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 264
-  %scevgep157.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 272
-  %scevgep158.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 312
-  %scevgep159.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 288
-  %scevgep160.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 296
-  %scevgep157.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 304
-  %scevgep159.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 320
-  %scevgep160.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 328
-  %scevgep158.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 376
-  %scevgep157.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 368
-  %scevgep158.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 472
-  %scevgep159.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 448
-  %scevgep160.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 456
-  %scevgep157.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 464
-  %scevgep158.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 504
-  %scevgep159.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 480
-  %scevgep160.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 488
-  %scevgep157.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 496
-  %scevgep.i.i.i445 = getelementptr i8, ptr %arg.state.10.0.4, i64 536
-  %scevgep151.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 520
-  %scevgep148.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 528
-  %scevgep149.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 568
-  %scevgep150.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 544
-  %scevgep151.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 552
-  %scevgep148.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 560
-  %scevgep149.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 600
-  %scevgep150.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 576
-  %scevgep151.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 584
-  %scevgep148.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 592
-  %scevgep149.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 632
-  %scevgep150.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 608
-  %scevgep151.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 616
-  %scevgep148.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 624
-  %scevgep149.4.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 664
-  %scevgep148.4.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 656
-  %scevgep149.5.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 696
-  %scevgep150.5.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 672
-  %scevgep151.5.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 680
-  %scevgep148.5.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 688
-  %scevgep149.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 728
-  %scevgep150.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 704
-  %scevgep151.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 712
-  %scevgep148.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 720
-  %scevgep149.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 760
-  %scevgep150.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 736
-  %scevgep151.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 744
-  %scevgep148.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 752
-  br label %B238.if.i.i446
+  %sunkaddr181.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 232
+  %sunkaddr183.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 240
+  %sunkaddr185.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 248
+  %scevgep162.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 280
+  %scevgep170.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 264
+  %scevgep167.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 272
+  %scevgep168.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 312
+  %scevgep169.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 288
+  %scevgep170.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 296
+  %scevgep167.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 304
+  %scevgep169.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 320
+  %scevgep170.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 328
+  %scevgep168.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 376
+  %scevgep167.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 368
+  %scevgep168.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 472
+  %scevgep169.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 448
+  %scevgep170.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 456
+  %scevgep167.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 464
+  %scevgep168.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 504
+  %scevgep169.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 480
+  %scevgep170.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 488
+  %scevgep167.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 496
+  %scevgep.i.i.i443 = getelementptr i8, ptr %arg.state.10.0.4, i64 536
+  %scevgep161.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 520
+  %scevgep158.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 528
+  %scevgep159.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 568
+  %scevgep160.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 544
+  %scevgep161.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 552
+  %scevgep158.1.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 560
+  %scevgep159.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 600
+  %scevgep160.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 576
+  %scevgep161.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 584
+  %scevgep158.2.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 592
+  %scevgep159.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 632
+  %scevgep160.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 608
+  %scevgep161.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 616
+  %scevgep158.3.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 624
+  %scevgep159.4.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 664
+  %scevgep158.4.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 656
+  %scevgep159.5.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 696
+  %scevgep160.5.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 672
+  %scevgep161.5.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 680
+  %scevgep158.5.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 688
+  %scevgep159.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 728
+  %scevgep160.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 704
+  %scevgep161.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 712
+  %scevgep158.6.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 720
+  %scevgep159.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 760
+  %scevgep160.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 736
+  %scevgep161.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 744
+  %scevgep158.7.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 752
+  br label %B238.if.i.i444
 
-B238.if.i.i446:                                   ; preds = %B940.if.i.i, %B238.if.lr.ph.i.i
-  %excinfo.5.0.i.i = phi ptr [ null, %B238.if.lr.ph.i.i ], [ %excinfo.5.1.i.i, %B940.if.i.i ]
-  %lsr.iv.i.i447 = phi i64 [ 0, %B238.if.lr.ph.i.i ], [ %lsr.iv.next.i.i488, %B940.if.i.i ]
+B238.if.i.i444:                                   ; preds = %B942.if.i.i, %B238.if.lr.ph.i.i
+  %excinfo.5.0.i.i = phi ptr [ null, %B238.if.lr.ph.i.i ], [ %excinfo.5.1.i.i, %B942.if.i.i ]
+  %lsr.iv.i.i445 = phi ptr [ %scevgep.i.i442, %B238.if.lr.ph.i.i ], [ %scevgep78.i.i, %B942.if.i.i ]
+  %.326290306.i.i = phi i64 [ 0, %B238.if.lr.ph.i.i ], [ %.333.i.i469, %B942.if.i.i ]
   %.390.i.i = load double, ptr %arg.state.6.4, align 8, !noalias !208
-  %.392.i.i = icmp eq i64 %lsr.iv.i.i447, 0
+  %.392.i.i = icmp eq i64 %.326290306.i.i, 0
   %..i.i = select i1 %.392.i.i, double 1.000000e-30, double 0.000000e+00
-  %.455.i.i = load double, ptr %sunkaddr142.i.i, align 8, !noalias !208
-  %.457.i.i = icmp eq i64 %lsr.iv.i.i447, 1152
+  %.455.i.i = load double, ptr %sunkaddr7.i.i, align 8, !noalias !208
+  %.457.i.i = icmp eq i64 %.326290306.i.i, 3
   %"$phi446.4.2.1.i.i" = select i1 %.457.i.i, double 1.000000e-30, double 0.000000e+00
-  %.520.i.i = load double, ptr %sunkaddr143.i.i444, align 8, !noalias !208
-  %.522.i.i = icmp eq i64 %lsr.iv.i.i447, 1536
+  %.520.i.i = load double, ptr %sunkaddr8.i.i, align 8, !noalias !208
+  %.522.i.i = icmp eq i64 %.326290306.i.i, 4
   %"$phi556.4.2.1.i.i" = select i1 %.522.i.i, double 1.000000e-30, double 0.000000e+00
-  %.557.i.i = icmp eq i64 %lsr.iv.i.i447, 384
+  %.557.i.i = icmp eq i64 %.326290306.i.i, 1
   %"$phi620.1.2.1.i.i" = select i1 %.557.i.i, double 1.000000e-30, double 0.000000e+00
-  %.573.i.i = icmp eq i64 %lsr.iv.i.i447, 768
+  %.573.i.i = icmp eq i64 %.326290306.i.i, 2
   %"$phi670.1.2.1.i.i" = select i1 %.573.i.i, double 1.000000e-30, double 0.000000e+00
   %.613.i.i = fmul contract double %storemerge.i.i.i, %"$phi620.1.2.1.i.i"
   %.628.i.i = fmul contract double %storemerge.i19.i.i, %"$phi670.1.2.1.i.i"
-  call void @llvm.lifetime.start.p0(ptr nonnull %.568.i.i.i), !noalias !208
-  call void @llvm.lifetime.start.p0(ptr nonnull %.599.i.i.i), !noalias !208
-  call void @llvm.lifetime.start.p0(ptr nonnull %.632.i.i.i), !noalias !208
-  call void @llvm.lifetime.start.p0(ptr nonnull %.669.i.i.i434), !noalias !208
-  call void @llvm.lifetime.start.p0(ptr nonnull %.737.i.i.i436), !noalias !208
-  call void @llvm.lifetime.start.p0(ptr nonnull %.775.i.i.i), !noalias !208
-  store ptr null, ptr %.568.i.i.i, align 8, !noalias !215
-  store ptr null, ptr %.599.i.i.i, align 8, !noalias !215
-  store ptr null, ptr %.632.i.i.i, align 8, !noalias !215
-  store ptr null, ptr %.669.i.i.i434, align 8, !noalias !215
-  store ptr null, ptr %.737.i.i.i436, align 8, !noalias !215
-  store ptr null, ptr %.775.i.i.i, align 8, !noalias !215
-  %.81.i.i.i = fadd contract double %.390.i.i, 1.000000e+00
-  %.45.i.i.i.i = tail call contract double @llvm.fabs.f64(double %.81.i.i.i)
+  call void @llvm.lifetime.start.p0(ptr nonnull %.584.i.i.i), !noalias !208
+  call void @llvm.lifetime.start.p0(ptr nonnull %.621.i.i.i), !noalias !208
+  call void @llvm.lifetime.start.p0(ptr nonnull %.700.i.i.i), !noalias !208
+  call void @llvm.lifetime.start.p0(ptr nonnull %.783.i.i.i), !noalias !208
+  call void @llvm.lifetime.start.p0(ptr nonnull %.911.i.i.i), !noalias !208
+  call void @llvm.lifetime.start.p0(ptr nonnull %.963.i.i.i435), !noalias !208
+  store ptr null, ptr %.584.i.i.i, align 8, !noalias !215
+  store ptr null, ptr %.621.i.i.i, align 8, !noalias !215
+  store ptr null, ptr %.700.i.i.i, align 8, !noalias !215
+  store ptr null, ptr %.783.i.i.i, align 8, !noalias !215
+  store ptr null, ptr %.911.i.i.i, align 8, !noalias !215
+  store ptr null, ptr %.963.i.i.i435, align 8, !noalias !215
+  %.84.i.i.i = fadd contract double %.390.i.i, 1.000000e+00
+  %.45.i.i.i.i = tail call contract double @llvm.fabs.f64(double %.84.i.i.i)
   %.56.i.i.i.i = fcmp ult double %.45.i.i.i.i, %..i.i
   br i1 %.56.i.i.i.i, label %B270.i.i.i.i, label %B132.i.i.i.i
 
-B132.i.i.i.i:                                     ; preds = %B238.if.i.i446
-  %.59.i.i.i.i = fcmp contract oeq double %.81.i.i.i, 0.000000e+00
-  br i1 %.59.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.i.i.i.i, !prof !219
+B132.i.i.i.i:                                     ; preds = %B238.if.i.i444
+  %.59.i.i.i.i = fcmp contract oeq double %.84.i.i.i, 0.000000e+00
+  br i1 %.59.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.i.i.i.i, !prof !219
 
-B270.i.i.i.i:                                     ; preds = %B238.if.i.i446
+B270.i.i.i.i:                                     ; preds = %B238.if.i.i444
   %.132.i.i21.i.i = fcmp contract ult double %..i.i, %.45.i.i.i.i
   br i1 %.132.i.i21.i.i, label %B0.endif.i.i.i, label %B282.i.i.i.i
 
 B282.i.i.i.i:                                     ; preds = %B270.i.i.i.i
   %.136.i.i.i.i = fcmp contract oeq double %..i.i, 0.000000e+00
-  br i1 %.136.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.i.i.i.i, !prof !220
+  br i1 %.136.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.i.i.i.i, !prof !220
 
 B174.endif.i.i.i.i:                               ; preds = %B132.i.i.i.i
-  %.89.i.i.i.i = fdiv contract double %..i.i, %.81.i.i.i
+  %.89.i.i.i.i = fdiv contract double %..i.i, %.84.i.i.i
   %.91.i.i.i.i = fmul contract double %..i.i, %.89.i.i.i.i
-  %.93.i.i.i.i = fadd contract double %.81.i.i.i, %.91.i.i.i.i
+  %.93.i.i.i.i = fadd contract double %.84.i.i.i, %.91.i.i.i.i
   %.98.i.i.i.i = fcmp contract oeq double %.93.i.i.i.i, 0.000000e+00
-  br i1 %.98.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i.i.i.i, !prof !220
+  br i1 %.98.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i.i.i.i, !prof !220
 
 B174.endif.endif.i.i.i.i:                         ; preds = %B174.endif.i.i.i.i
-  %.97.i.i.i.i448 = fadd contract double %.390.i.i, %.91.i.i.i.i
-  %.105.i.i.i.i = fdiv contract double %.97.i.i.i.i448, %.93.i.i.i.i
+  %.97.i.i.i.i446 = fadd contract double %.390.i.i, %.91.i.i.i.i
+  %.105.i.i.i.i = fdiv contract double %.97.i.i.i.i446, %.93.i.i.i.i
   %.107.i.i.i.i = fmul contract double %.390.i.i, %.89.i.i.i.i
   %.109.i.i.i.i = fsub contract double %..i.i, %.107.i.i.i.i
   %.117.i.i.i.i = fdiv contract double %.109.i.i.i.i, %.93.i.i.i.i
   br label %B0.endif.i.i.i
 
 B282.endif.i.i.i.i:                               ; preds = %B282.i.i.i.i
-  %.143.i.i.i.i = fdiv contract double %.81.i.i.i, %..i.i
-  %.145.i.i.i.i = fmul contract double %.81.i.i.i, %.143.i.i.i.i
+  %.143.i.i.i.i = fdiv contract double %.84.i.i.i, %..i.i
+  %.145.i.i.i.i = fmul contract double %.84.i.i.i, %.143.i.i.i.i
   %.147.i.i.i.i = fadd contract double %..i.i, %.145.i.i.i.i
   %.152.i.i.i.i = fcmp contract oeq double %.147.i.i.i.i, 0.000000e+00
-  br i1 %.152.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i.i.i.i, !prof !220
+  br i1 %.152.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i.i.i.i, !prof !220
 
 B282.endif.endif.i.i.i.i:                         ; preds = %B282.endif.i.i.i.i
   %.149.i.i.i.i = fmul contract double %.390.i.i, %.143.i.i.i.i
   %.151.i.i.i.i = fadd contract double %..i.i, %.149.i.i.i.i
   %.159.i.i.i.i = fdiv contract double %.151.i.i.i.i, %.147.i.i.i.i
   %.161.i.i.i.i = fmul contract double %..i.i, %.143.i.i.i.i
-  %.163.i.i.i.i489 = fsub contract double %.161.i.i.i.i, %.390.i.i
-  %.171.i.i.i.i490 = fdiv contract double %.163.i.i.i.i489, %.147.i.i.i.i
+  %.163.i.i.i.i481 = fsub contract double %.161.i.i.i.i, %.390.i.i
+  %.171.i.i.i.i482 = fdiv contract double %.163.i.i.i.i481, %.147.i.i.i.i
   br label %B0.endif.i.i.i
 
-B0.endif.i.i.i:                                   ; preds = %B282.endif.endif.i.i.i.i, %B174.endif.endif.i.i.i.i, %B270.i.i.i.i
-  %.88.sroa.4.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i ], [ %.171.i.i.i.i490, %B282.endif.endif.i.i.i.i ], [ %.117.i.i.i.i, %B174.endif.endif.i.i.i.i ]
-  %.88.sroa.0.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i ], [ %.159.i.i.i.i, %B282.endif.endif.i.i.i.i ], [ %.105.i.i.i.i, %B174.endif.endif.i.i.i.i ]
-  br i1 %.56.i.i.i.i, label %B270.i41.i.i.i, label %B132.i20.i.i.i
-
-B132.i20.i.i.i:                                   ; preds = %B0.endif.i.i.i
-  %.59.i21.i.i.i = fcmp contract oeq double %.81.i.i.i, 0.000000e+00
-  br i1 %.59.i21.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.i22.i.i.i, !prof !219
-
-B270.i41.i.i.i:                                   ; preds = %B0.endif.i.i.i
-  %.132.i42.i.i.i = fcmp contract ult double %..i.i, %.45.i.i.i.i
-  br i1 %.132.i42.i.i.i, label %B0.endif.endif.i.i.i, label %B282.i43.i.i.i
-
-B282.i43.i.i.i:                                   ; preds = %B270.i41.i.i.i
-  %.136.i44.i.i.i = fcmp contract oeq double %..i.i, 0.000000e+00
-  br i1 %.136.i44.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.i45.i.i.i, !prof !220
-
-B174.endif.i22.i.i.i:                             ; preds = %B132.i20.i.i.i
-  %.89.i23.i.i.i = fdiv contract double %..i.i, %.81.i.i.i
-  %.91.i24.i.i.i = fmul contract double %..i.i, %.89.i23.i.i.i
-  %.93.i25.i.i.i = fadd contract double %.81.i.i.i, %.91.i24.i.i.i
-  %.98.i26.i.i.i = fcmp contract oeq double %.93.i25.i.i.i, 0.000000e+00
-  br i1 %.98.i26.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i27.i.i.i, !prof !220
-
-B174.endif.endif.i27.i.i.i:                       ; preds = %B174.endif.i22.i.i.i
-  %.95.i28.i.i.i = fmul contract double %.89.i23.i.i.i, 0.000000e+00
-  %.97.i29.i.i.i = fadd contract double %.95.i28.i.i.i, 1.000000e+00
-  %.105.i30.i.i.i = fdiv contract double %.97.i29.i.i.i, %.93.i25.i.i.i
-  %.109.i32.i.i.i = fsub contract double 0.000000e+00, %.89.i23.i.i.i
-  %.117.i33.i.i.i = fdiv contract double %.109.i32.i.i.i, %.93.i25.i.i.i
-  br label %B0.endif.endif.i.i.i
-
-B282.endif.i45.i.i.i:                             ; preds = %B282.i43.i.i.i
-  %.143.i46.i.i.i = fdiv contract double %.81.i.i.i, %..i.i
-  %.145.i47.i.i.i = fmul contract double %.81.i.i.i, %.143.i46.i.i.i
-  %.147.i48.i.i.i = fadd contract double %..i.i, %.145.i47.i.i.i
-  %.152.i49.i.i.i = fcmp contract oeq double %.147.i48.i.i.i, 0.000000e+00
-  br i1 %.152.i49.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i50.i.i.i, !prof !220
-
-B282.endif.endif.i50.i.i.i:                       ; preds = %B282.endif.i45.i.i.i
-  %.151.i52.i.i.i = fadd contract double %.143.i46.i.i.i, 0.000000e+00
-  %.159.i53.i.i.i = fdiv contract double %.151.i52.i.i.i, %.147.i48.i.i.i
-  %.161.i54.i.i.i = fmul contract double %.143.i46.i.i.i, 0.000000e+00
-  %.163.i55.i.i.i = fadd contract double %.161.i54.i.i.i, -1.000000e+00
-  %.171.i56.i.i.i = fdiv contract double %.163.i55.i.i.i, %.147.i48.i.i.i
-  br label %B0.endif.endif.i.i.i
-
-B0.endif.endif.i.i.i:                             ; preds = %B282.endif.endif.i50.i.i.i, %B174.endif.endif.i27.i.i.i, %B270.i41.i.i.i
-  %.161.sroa.0.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i41.i.i.i ], [ %.105.i30.i.i.i, %B174.endif.endif.i27.i.i.i ], [ %.159.i53.i.i.i, %B282.endif.endif.i50.i.i.i ]
-  %.161.sroa.4.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i41.i.i.i ], [ %.117.i33.i.i.i, %B174.endif.endif.i27.i.i.i ], [ %.171.i56.i.i.i, %B282.endif.endif.i50.i.i.i ]
-  %.58.i60.i.i.i = fmul contract double %.88.sroa.0.0.i.i.i, %.161.sroa.4.0.i.i.i
-  %.64.i61.i.i.i = fmul contract double %.88.sroa.4.0.i.i.i, %.161.sroa.0.0.i.i.i
-  %.80.i62.i.i.i = fadd contract double %.64.i61.i.i.i, %.58.i60.i.i.i
-  %.46.i63.i.i.i = fmul contract double %.88.sroa.0.0.i.i.i, %.161.sroa.0.0.i.i.i
-  %.52.i64.i.i.i = fmul contract double %.88.sroa.4.0.i.i.i, %.161.sroa.4.0.i.i.i
-  %.70.i65.i.i.i = fsub contract double %.46.i63.i.i.i, %.52.i64.i.i.i
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(768) %arg.state.10.0.4, i8 0, i64 768, i1 false), !noalias !215
-  store double 1.000000e+00, ptr %arg.state.10.0.4, align 8, !noalias !221
-  store double 0.000000e+00, ptr %.80.i1.i.i.i, align 8, !noalias !221
-  %.58.i.i.i1.i.i = fmul contract double %.70.i65.i.i.i, 0.000000e+00
-  %.64.i.i.i2.i.i = fmul contract double %.80.i62.i.i.i, 0x401871C71C71C71C
-  %.80.i.i.i3.i.i = fadd contract double %.58.i.i.i1.i.i, %.64.i.i.i2.i.i
-  %.46.i.i.i4.i.i = fmul contract double %.70.i65.i.i.i, 0x401871C71C71C71C
-  %.52.i.i.i5.i.i = fmul contract double %.80.i62.i.i.i, 0.000000e+00
-  %.70.i.i.i6.i.i = fsub contract double %.46.i.i.i4.i.i, %.52.i.i.i5.i.i
-  %.308.i.i.i.i = fadd contract double %.70.i.i.i6.i.i, 0x4013A7F529FD4A7F
-  %.311.i.i.i.i = fadd contract double %.80.i.i.i3.i.i, 0.000000e+00
-  store double %.308.i.i.i.i, ptr %.222.i.i.i.i, align 8, !noalias !221
-  store double %.311.i.i.i.i, ptr %.225.i.i.i.i, align 8, !noalias !221
+B188.i.i.i:                                       ; preds = %B0.endif.endif.i.i.i
+  %.79.i.i.i.i = load double, ptr %arg.state.10.0.4, align 8, !noalias !221
+  %.81.i.i.i.i = load double, ptr %.80.i1.i.i.i, align 8, !noalias !221
+  %.109.i2.i.i.i = fadd contract double %.79.i.i.i.i, 1.000000e+00
+  %.112.i.i.i.i476 = fadd contract double %.81.i.i.i.i, 0.000000e+00
+  store double %.109.i2.i.i.i, ptr %arg.state.10.0.4, align 8, !noalias !221
+  store double %.112.i.i.i.i476, ptr %.80.i1.i.i.i, align 8, !noalias !221
+  %.224.i.i.i.i = load double, ptr %.222.i.i.i.i, align 8, !noalias !221
+  %.226.i.i.i.i = load double, ptr %.225.i.i.i.i, align 8, !noalias !221
+  %.58.i.i.i15.i.i = fmul contract double %.70.i80.i.i.i, 0.000000e+00
+  %.64.i.i.i16.i.i = fmul contract double %.80.i77.i.i.i, 0x401871C71C71C71C
+  %.80.i.i.i17.i.i = fadd contract double %.58.i.i.i15.i.i, %.64.i.i.i16.i.i
+  %.46.i.i.i18.i.i = fmul contract double %.70.i80.i.i.i, 0x401871C71C71C71C
+  %.52.i.i.i19.i.i = fmul contract double %.80.i77.i.i.i, 0.000000e+00
+  %.70.i.i.i20.i.i = fsub contract double %.46.i.i.i18.i.i, %.52.i.i.i19.i.i
+  %.308.i.i.i.i = fadd contract double %.70.i.i.i20.i.i, 0x4013A7F529FD4A7F
+  %.311.i.i.i.i = fadd contract double %.80.i.i.i17.i.i, 0.000000e+00
+  %.334.i.i.i.i = fadd contract double %.308.i.i.i.i, %.224.i.i.i.i
+  %.337.i.i.i.i = fadd contract double %.311.i.i.i.i, %.226.i.i.i.i
+  store double %.334.i.i.i.i, ptr %.222.i.i.i.i, align 8, !noalias !221
+  store double %.337.i.i.i.i, ptr %.225.i.i.i.i, align 8, !noalias !221
   %.447.i.i.i.i = load double, ptr %.445.i.i.i.i, align 8, !noalias !221
   %.449.i.i.i.i = load double, ptr %.448.i.i.i.i, align 8, !noalias !221
   %.477.i.i.i.i = fadd contract double %.447.i.i.i.i, 0xC04921FB54442D18
@@ -5823,17 +5776,17 @@ B0.endif.endif.i.i.i:                             ; preds = %B282.endif.endif.i5
   store double %.480.i.i.i.i, ptr %.448.i.i.i.i, align 8, !noalias !221
   %.590.i.i.i.i = load double, ptr %.588.i.i.i.i, align 8, !noalias !221
   %.592.i.i.i.i = load double, ptr %.591.i.i.i.i, align 8, !noalias !221
-  %.64.i3.i.i.i.i = fmul contract double %.80.i62.i.i.i, 0x40456C71C71C71C7
-  %.80.i4.i.i.i.i = fadd contract double %.58.i.i.i1.i.i, %.64.i3.i.i.i.i
-  %.46.i5.i.i.i.i = fmul contract double %.70.i65.i.i.i, 0x40456C71C71C71C7
-  %.70.i7.i.i.i.i = fsub contract double %.46.i5.i.i.i.i, %.52.i.i.i5.i.i
+  %.64.i3.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0x40456C71C71C71C7
+  %.80.i4.i.i.i.i = fadd contract double %.58.i.i.i15.i.i, %.64.i3.i.i.i.i
+  %.46.i5.i.i.i.i = fmul contract double %.70.i80.i.i.i, 0x40456C71C71C71C7
+  %.70.i7.i.i.i.i = fsub contract double %.46.i5.i.i.i.i, %.52.i.i.i19.i.i
   %.693.i.i.i.i = fadd contract double %.70.i7.i.i.i.i, 0x404AEDF7DF7DF7DF
   %.696.i.i.i.i = fadd contract double %.80.i4.i.i.i.i, 0.000000e+00
-  %.58.i9.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.696.i.i.i.i
-  %.64.i10.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.693.i.i.i.i
+  %.58.i9.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.696.i.i.i.i
+  %.64.i10.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.693.i.i.i.i
   %.80.i11.i.i.i.i = fadd contract double %.64.i10.i.i.i.i, %.58.i9.i.i.i.i
-  %.46.i12.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.693.i.i.i.i
-  %.52.i13.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.696.i.i.i.i
+  %.46.i12.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.693.i.i.i.i
+  %.52.i13.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.696.i.i.i.i
   %.70.i14.i.i.i.i = fsub contract double %.46.i12.i.i.i.i, %.52.i13.i.i.i.i
   %.753.i.i.i.i = fadd contract double %.70.i14.i.i.i.i, 0x403E1A683B5702A5
   %.756.i.i.i.i = fadd contract double %.80.i11.i.i.i.i, 0.000000e+00
@@ -5843,10 +5796,10 @@ B0.endif.endif.i.i.i:                             ; preds = %B282.endif.endif.i5
   store double %.782.i.i.i.i, ptr %.591.i.i.i.i, align 8, !noalias !221
   %.892.i.i.i.i = load double, ptr %.890.i.i.i.i, align 8, !noalias !221
   %.894.i.i.i.i = load double, ptr %.893.i.i.i.i, align 8, !noalias !221
-  %.64.i17.i.i.i.i = fmul contract double %.80.i62.i.i.i, 0x40510457810E2933
-  %435 = fsub contract double %.58.i.i.i1.i.i, %.64.i17.i.i.i.i
-  %.46.i19.i.i.i.i = fmul contract double %.70.i65.i.i.i, 0xC0510457810E2933
-  %.70.i21.i.i.i.i = fsub contract double %.46.i19.i.i.i.i, %.52.i.i.i5.i.i
+  %.64.i17.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0x40510457810E2933
+  %435 = fsub contract double %.58.i.i.i15.i.i, %.64.i17.i.i.i.i
+  %.46.i19.i.i.i.i = fmul contract double %.70.i80.i.i.i, 0xC0510457810E2933
+  %.70.i21.i.i.i.i = fsub contract double %.46.i19.i.i.i.i, %.52.i.i.i19.i.i
   %.974.i.i.i.i = fadd contract double %.70.i21.i.i.i.i, 0x407E1C5F0E074C89
   %.977.i.i.i.i = fadd contract double %435, 0.000000e+00
   %.1000.i.i.i.i = fadd contract double %.974.i.i.i.i, %.892.i.i.i.i
@@ -5855,25 +5808,25 @@ B0.endif.endif.i.i.i:                             ; preds = %B282.endif.endif.i5
   store double %.1003.i.i.i.i, ptr %.893.i.i.i.i, align 8, !noalias !221
   %.1113.i.i.i.i = load double, ptr %.1111.i.i.i.i, align 8, !noalias !221
   %.1115.i.i.i.i = load double, ptr %.1114.i.i.i.i, align 8, !noalias !221
-  %.64.i24.i.i.i.i = fmul contract double %.80.i62.i.i.i, 0x4058A8587E6B74F0
-  %436 = fsub contract double %.58.i.i.i1.i.i, %.64.i24.i.i.i.i
-  %.46.i26.i.i.i.i = fmul contract double %.70.i65.i.i.i, 0xC058A8587E6B74F0
-  %.70.i28.i.i.i.i = fsub contract double %.46.i26.i.i.i.i, %.52.i.i.i5.i.i
+  %.64.i24.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0x4058A8587E6B74F0
+  %436 = fsub contract double %.58.i.i.i15.i.i, %.64.i24.i.i.i.i
+  %.46.i26.i.i.i.i = fmul contract double %.70.i80.i.i.i, 0xC058A8587E6B74F0
+  %.70.i28.i.i.i.i = fsub contract double %.46.i26.i.i.i.i, %.52.i.i.i19.i.i
   %.1245.i.i.i.i = fadd contract double %.70.i28.i.i.i.i, 0x404601B425ED097B
   %.1248.i.i.i.i = fadd contract double %436, 0.000000e+00
-  %.58.i30.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.1248.i.i.i.i
-  %.64.i31.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.1245.i.i.i.i
+  %.58.i30.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.1248.i.i.i.i
+  %.64.i31.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.1245.i.i.i.i
   %.80.i32.i.i.i.i = fadd contract double %.64.i31.i.i.i.i, %.58.i30.i.i.i.i
-  %.46.i33.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.1245.i.i.i.i
-  %.52.i34.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.1248.i.i.i.i
+  %.46.i33.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.1245.i.i.i.i
+  %.52.i34.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.1248.i.i.i.i
   %.70.i35.i.i.i.i = fsub contract double %.46.i33.i.i.i.i, %.52.i34.i.i.i.i
   %.1305.i.i.i.i = fadd contract double %.70.i35.i.i.i.i, 0xC0A9D8A41ED3317E
   %.1308.i.i.i.i = fadd contract double %.80.i32.i.i.i.i, 0.000000e+00
-  %.58.i37.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.1308.i.i.i.i
-  %.64.i38.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.1305.i.i.i.i
+  %.58.i37.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.1308.i.i.i.i
+  %.64.i38.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.1305.i.i.i.i
   %.80.i39.i.i.i.i = fadd contract double %.64.i38.i.i.i.i, %.58.i37.i.i.i.i
-  %.46.i40.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.1305.i.i.i.i
-  %.52.i41.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.1308.i.i.i.i
+  %.46.i40.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.1305.i.i.i.i
+  %.52.i41.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.1308.i.i.i.i
   %.70.i42.i.i.i.i = fsub contract double %.46.i40.i.i.i.i, %.52.i41.i.i.i.i
   %.1365.i.i.i.i = fadd contract double %.70.i42.i.i.i.i, 0xC071640B49E85C3E
   %.1368.i.i.i.i = fadd contract double %.80.i39.i.i.i.i, 0.000000e+00
@@ -5889,17 +5842,17 @@ B0.endif.endif.i.i.i:                             ; preds = %B282.endif.endif.i5
   store double %.1537.i.i.i.i, ptr %.1505.i.i.i.i, align 8, !noalias !221
   %.1647.i.i.i.i = load double, ptr %.1645.i.i.i.i, align 8, !noalias !221
   %.1649.i.i.i.i = load double, ptr %.1648.i.i.i.i, align 8, !noalias !221
-  %.64.i45.i.i.i.i = fmul contract double %.80.i62.i.i.i, 0x40733B288412FE12
-  %437 = fsub contract double %.58.i.i.i1.i.i, %.64.i45.i.i.i.i
-  %.46.i47.i.i.i.i = fmul contract double %.70.i65.i.i.i, 0xC0733B288412FE12
-  %.70.i49.i.i.i.i = fsub contract double %.46.i47.i.i.i.i, %.52.i.i.i5.i.i
+  %.64.i45.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0x40733B288412FE12
+  %437 = fsub contract double %.58.i.i.i15.i.i, %.64.i45.i.i.i.i
+  %.46.i47.i.i.i.i = fmul contract double %.70.i80.i.i.i, 0xC0733B288412FE12
+  %.70.i49.i.i.i.i = fsub contract double %.46.i47.i.i.i.i, %.52.i.i.i19.i.i
   %.1750.i.i.i.i = fadd contract double %.70.i49.i.i.i.i, 0x408893BEE8443B83
   %.1753.i.i.i.i = fadd contract double %437, 0.000000e+00
-  %.58.i51.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.1753.i.i.i.i
-  %.64.i52.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.1750.i.i.i.i
+  %.58.i51.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.1753.i.i.i.i
+  %.64.i52.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.1750.i.i.i.i
   %.80.i53.i.i.i.i = fadd contract double %.64.i52.i.i.i.i, %.58.i51.i.i.i.i
-  %.46.i54.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.1750.i.i.i.i
-  %.52.i55.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.1753.i.i.i.i
+  %.46.i54.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.1750.i.i.i.i
+  %.52.i55.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.1753.i.i.i.i
   %.70.i56.i.i.i.i = fsub contract double %.46.i54.i.i.i.i, %.52.i55.i.i.i.i
   %.1810.i.i.i.i = fadd contract double %.70.i56.i.i.i.i, 0x408DCC10DD757C0B
   %.1813.i.i.i.i = fadd contract double %.80.i53.i.i.i.i, 0.000000e+00
@@ -5909,33 +5862,33 @@ B0.endif.endif.i.i.i:                             ; preds = %B282.endif.endif.i5
   store double %.1839.i.i.i.i, ptr %.1648.i.i.i.i, align 8, !noalias !221
   %.1949.i.i.i.i = load double, ptr %.1947.i.i.i.i, align 8, !noalias !221
   %.1951.i.i.i.i = load double, ptr %.1950.i.i.i.i, align 8, !noalias !221
-  %.64.i59.i.i.i.i = fmul contract double %.80.i62.i.i.i, 0x40514C5F3B7242FB
-  %.80.i60.i.i.i.i = fadd contract double %.58.i.i.i1.i.i, %.64.i59.i.i.i.i
-  %.46.i61.i.i.i.i = fmul contract double %.70.i65.i.i.i, 0x40514C5F3B7242FB
-  %.70.i63.i.i.i.i = fsub contract double %.46.i61.i.i.i.i, %.52.i.i.i5.i.i
+  %.64.i59.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0x40514C5F3B7242FB
+  %.80.i60.i.i.i.i = fadd contract double %.58.i.i.i15.i.i, %.64.i59.i.i.i.i
+  %.46.i61.i.i.i.i = fmul contract double %.70.i80.i.i.i, 0x40514C5F3B7242FB
+  %.70.i63.i.i.i.i = fsub contract double %.46.i61.i.i.i.i, %.52.i.i.i19.i.i
   %.2118.i.i.i.i = fadd contract double %.70.i63.i.i.i.i, 0xC05D2FBB067D39F9
   %.2121.i.i.i.i = fadd contract double %.80.i60.i.i.i.i, 0.000000e+00
-  %.58.i65.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.2121.i.i.i.i
-  %.64.i66.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.2118.i.i.i.i
+  %.58.i65.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.2121.i.i.i.i
+  %.64.i66.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.2118.i.i.i.i
   %.80.i67.i.i.i.i = fadd contract double %.64.i66.i.i.i.i, %.58.i65.i.i.i.i
-  %.46.i68.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.2118.i.i.i.i
-  %.52.i69.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.2121.i.i.i.i
+  %.46.i68.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.2118.i.i.i.i
+  %.52.i69.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.2121.i.i.i.i
   %.70.i70.i.i.i.i = fsub contract double %.46.i68.i.i.i.i, %.52.i69.i.i.i.i
   %.2178.i.i.i.i = fadd contract double %.70.i70.i.i.i.i, 0xC091A4640F04B974
   %.2181.i.i.i.i = fadd contract double %.80.i67.i.i.i.i, 0.000000e+00
-  %.58.i72.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.2181.i.i.i.i
-  %.64.i73.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.2178.i.i.i.i
+  %.58.i72.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.2181.i.i.i.i
+  %.64.i73.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.2178.i.i.i.i
   %.80.i74.i.i.i.i = fadd contract double %.64.i73.i.i.i.i, %.58.i72.i.i.i.i
-  %.46.i75.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.2178.i.i.i.i
-  %.52.i76.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.2181.i.i.i.i
+  %.46.i75.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.2178.i.i.i.i
+  %.52.i76.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.2181.i.i.i.i
   %.70.i77.i.i.i.i = fsub contract double %.46.i75.i.i.i.i, %.52.i76.i.i.i.i
   %.2238.i.i.i.i = fadd contract double %.70.i77.i.i.i.i, 0x40CE3F8117DB38CA
   %.2241.i.i.i.i = fadd contract double %.80.i74.i.i.i.i, 0.000000e+00
-  %.58.i79.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.2241.i.i.i.i
-  %.64.i80.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.2238.i.i.i.i
+  %.58.i79.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.2241.i.i.i.i
+  %.64.i80.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.2238.i.i.i.i
   %.80.i81.i.i.i.i = fadd contract double %.64.i80.i.i.i.i, %.58.i79.i.i.i.i
-  %.46.i82.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.2238.i.i.i.i
-  %.52.i83.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.2241.i.i.i.i
+  %.46.i82.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.2238.i.i.i.i
+  %.52.i83.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.2241.i.i.i.i
   %.70.i84.i.i.i.i = fsub contract double %.46.i82.i.i.i.i, %.52.i83.i.i.i.i
   %.2298.i.i.i.i = fadd contract double %.70.i84.i.i.i.i, 0xC0A8D75E6BF57F9D
   %.2301.i.i.i.i = fadd contract double %.80.i81.i.i.i.i, 0.000000e+00
@@ -5945,10 +5898,10 @@ B0.endif.endif.i.i.i:                             ; preds = %B282.endif.endif.i5
   store double %.2327.i.i.i.i, ptr %.1950.i.i.i.i, align 8, !noalias !221
   %.2437.i.i.i.i = load double, ptr %.2435.i.i.i.i, align 8, !noalias !221
   %.2439.i.i.i.i = load double, ptr %.2438.i.i.i.i, align 8, !noalias !221
-  %.64.i87.i.i.i.i = fmul contract double %.80.i62.i.i.i, 0x409F6EC11CD4D97E
-  %.80.i88.i.i.i.i = fadd contract double %.58.i.i.i1.i.i, %.64.i87.i.i.i.i
-  %.46.i89.i.i.i.i = fmul contract double %.70.i65.i.i.i, 0x409F6EC11CD4D97E
-  %.70.i91.i.i.i.i = fsub contract double %.46.i89.i.i.i.i, %.52.i.i.i5.i.i
+  %.64.i87.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0x409F6EC11CD4D97E
+  %.80.i88.i.i.i.i = fadd contract double %.58.i.i.i15.i.i, %.64.i87.i.i.i.i
+  %.46.i89.i.i.i.i = fmul contract double %.70.i80.i.i.i, 0x409F6EC11CD4D97E
+  %.70.i91.i.i.i.i = fsub contract double %.46.i89.i.i.i.i, %.52.i.i.i19.i.i
   %.2519.i.i.i.i = fadd contract double %.70.i91.i.i.i.i, 0x4072428A28A28A29
   %.2522.i.i.i.i = fadd contract double %.80.i88.i.i.i.i, 0.000000e+00
   %.2545.i.i.i.i = fadd contract double %.2519.i.i.i.i, %.2437.i.i.i.i
@@ -5957,25 +5910,25 @@ B0.endif.endif.i.i.i:                             ; preds = %B282.endif.endif.i5
   store double %.2548.i.i.i.i, ptr %.2438.i.i.i.i, align 8, !noalias !221
   %.2658.i.i.i.i = load double, ptr %.2656.i.i.i.i, align 8, !noalias !221
   %.2660.i.i.i.i = load double, ptr %.2659.i.i.i.i, align 8, !noalias !221
-  %.64.i94.i.i.i.i = fmul contract double %.80.i62.i.i.i, 0x40645019F9E83A77
-  %.80.i95.i.i.i.i = fadd contract double %.58.i.i.i1.i.i, %.64.i94.i.i.i.i
-  %.46.i96.i.i.i.i = fmul contract double %.70.i65.i.i.i, 0x40645019F9E83A77
-  %.70.i98.i.i.i.i = fsub contract double %.46.i96.i.i.i.i, %.52.i.i.i5.i.i
+  %.64.i94.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0x40645019F9E83A77
+  %.80.i95.i.i.i.i = fadd contract double %.58.i.i.i15.i.i, %.64.i94.i.i.i.i
+  %.46.i96.i.i.i.i = fmul contract double %.70.i80.i.i.i, 0x40645019F9E83A77
+  %.70.i98.i.i.i.i = fsub contract double %.46.i96.i.i.i.i, %.52.i.i.i19.i.i
   %.2790.i.i.i.i = fadd contract double %.70.i98.i.i.i.i, 0x40918164C0B5D6FD
   %.2793.i.i.i.i = fadd contract double %.80.i95.i.i.i.i, 0.000000e+00
-  %.58.i100.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.2793.i.i.i.i
-  %.64.i101.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.2790.i.i.i.i
+  %.58.i100.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.2793.i.i.i.i
+  %.64.i101.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.2790.i.i.i.i
   %.80.i102.i.i.i.i = fadd contract double %.64.i101.i.i.i.i, %.58.i100.i.i.i.i
-  %.46.i103.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.2790.i.i.i.i
-  %.52.i104.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.2793.i.i.i.i
+  %.46.i103.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.2790.i.i.i.i
+  %.52.i104.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.2793.i.i.i.i
   %.70.i105.i.i.i.i = fsub contract double %.46.i103.i.i.i.i, %.52.i104.i.i.i.i
   %.2850.i.i.i.i = fadd contract double %.70.i105.i.i.i.i, 0xC0D6C519D7F78519
   %.2853.i.i.i.i = fadd contract double %.80.i102.i.i.i.i, 0.000000e+00
-  %.58.i107.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.2853.i.i.i.i
-  %.64.i108.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.2850.i.i.i.i
+  %.58.i107.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.2853.i.i.i.i
+  %.64.i108.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.2850.i.i.i.i
   %.80.i109.i.i.i.i = fadd contract double %.64.i108.i.i.i.i, %.58.i107.i.i.i.i
-  %.46.i110.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.2850.i.i.i.i
-  %.52.i111.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.2853.i.i.i.i
+  %.46.i110.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.2850.i.i.i.i
+  %.52.i111.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.2853.i.i.i.i
   %.70.i112.i.i.i.i = fsub contract double %.46.i110.i.i.i.i, %.52.i111.i.i.i.i
   %.2910.i.i.i.i = fadd contract double %.70.i112.i.i.i.i, 0x40BB4B9C657BC796
   %.2913.i.i.i.i = fadd contract double %.80.i109.i.i.i.i, 0.000000e+00
@@ -5989,89 +5942,89 @@ B0.endif.endif.i.i.i:                             ; preds = %B282.endif.endif.i5
   %.3082.i.i.i.i = fadd contract double %.3051.i.i.i.i, 0.000000e+00
   store double %.3079.i.i.i.i, ptr %.3047.i.i.i.i, align 8, !noalias !221
   store double %.3082.i.i.i.i, ptr %.3050.i.i.i.i, align 8, !noalias !221
-  %.64.i115.i.i.i.i = fmul contract double %.80.i62.i.i.i, 0x40A619E547AE6DA3
-  %.80.i116.i.i.i.i = fadd contract double %.58.i.i.i1.i.i, %.64.i115.i.i.i.i
-  %.46.i117.i.i.i.i = fmul contract double %.70.i65.i.i.i, 0x40A619E547AE6DA3
-  %.70.i119.i.i.i.i = fsub contract double %.46.i117.i.i.i.i, %.52.i.i.i5.i.i
+  %.64.i115.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0x40A619E547AE6DA3
+  %.80.i116.i.i.i.i = fadd contract double %.58.i.i.i15.i.i, %.64.i115.i.i.i.i
+  %.46.i117.i.i.i.i = fmul contract double %.70.i80.i.i.i, 0x40A619E547AE6DA3
+  %.70.i119.i.i.i.i = fsub contract double %.46.i117.i.i.i.i, %.52.i.i.i19.i.i
   %.3316.i.i.i.i = fadd contract double %.70.i119.i.i.i.i, 0xC0D25E7665446D0F
   %.3319.i.i.i.i = fadd contract double %.80.i116.i.i.i.i, 0.000000e+00
-  %.58.i121.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.3319.i.i.i.i
-  %.64.i122.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.3316.i.i.i.i
+  %.58.i121.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.3319.i.i.i.i
+  %.64.i122.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.3316.i.i.i.i
   %.80.i123.i.i.i.i = fadd contract double %.64.i122.i.i.i.i, %.58.i121.i.i.i.i
-  %.46.i124.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.3316.i.i.i.i
-  %.52.i125.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.3319.i.i.i.i
+  %.46.i124.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.3316.i.i.i.i
+  %.52.i125.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.3319.i.i.i.i
   %.70.i126.i.i.i.i = fsub contract double %.46.i124.i.i.i.i, %.52.i125.i.i.i.i
   %.3376.i.i.i.i = fadd contract double %.70.i126.i.i.i.i, 0x40E19BDA5330D73F
   %.3379.i.i.i.i = fadd contract double %.80.i123.i.i.i.i, 0.000000e+00
-  %.58.i128.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.3379.i.i.i.i
-  %.64.i129.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.3376.i.i.i.i
+  %.58.i128.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.3379.i.i.i.i
+  %.64.i129.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.3376.i.i.i.i
   %.80.i130.i.i.i.i = fadd contract double %.64.i129.i.i.i.i, %.58.i128.i.i.i.i
-  %.46.i131.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.3376.i.i.i.i
-  %.52.i132.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.3379.i.i.i.i
+  %.46.i131.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.3376.i.i.i.i
+  %.52.i132.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.3379.i.i.i.i
   %.70.i133.i.i.i.i = fsub contract double %.46.i131.i.i.i.i, %.52.i132.i.i.i.i
   %.3436.i.i.i.i = fadd contract double %.70.i133.i.i.i.i, 0xC0E154650FD9ACF1
   %.3439.i.i.i.i = fadd contract double %.80.i130.i.i.i.i, 0.000000e+00
   %.3496.i.i.i.i = load double, ptr %.3494.i.i.i.i, align 8, !noalias !221
   %.3498.i.i.i.i = load double, ptr %.3497.i.i.i.i, align 8, !noalias !221
-  %.58.i135.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.3439.i.i.i.i
-  %.64.i136.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.3436.i.i.i.i
+  %.58.i135.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.3439.i.i.i.i
+  %.64.i136.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.3436.i.i.i.i
   %.80.i137.i.i.i.i = fadd contract double %.64.i136.i.i.i.i, %.58.i135.i.i.i.i
-  %.46.i138.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.3436.i.i.i.i
-  %.52.i139.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.3439.i.i.i.i
+  %.46.i138.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.3436.i.i.i.i
+  %.52.i139.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.3439.i.i.i.i
   %.70.i140.i.i.i.i = fsub contract double %.46.i138.i.i.i.i, %.52.i139.i.i.i.i
   %.3639.i.i.i.i = fadd contract double %.70.i140.i.i.i.i, 0xC0F5A16228D9F21A
   %.3642.i.i.i.i = fadd contract double %.80.i137.i.i.i.i, 0.000000e+00
-  %.58.i142.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.3642.i.i.i.i
-  %.64.i143.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.3639.i.i.i.i
+  %.58.i142.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.3642.i.i.i.i
+  %.64.i143.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.3639.i.i.i.i
   %.80.i144.i.i.i.i = fadd contract double %.64.i143.i.i.i.i, %.58.i142.i.i.i.i
-  %.46.i145.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.3639.i.i.i.i
-  %.52.i146.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.3642.i.i.i.i
+  %.46.i145.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.3639.i.i.i.i
+  %.52.i146.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.3642.i.i.i.i
   %.70.i147.i.i.i.i = fsub contract double %.46.i145.i.i.i.i, %.52.i146.i.i.i.i
   %.3699.i.i.i.i = fadd contract double %.70.i147.i.i.i.i, 0x40ECE30547C08F3B
   %.3702.i.i.i.i = fadd contract double %.80.i144.i.i.i.i, 0.000000e+00
-  %.58.i149.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.3702.i.i.i.i
-  %.64.i150.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.3699.i.i.i.i
+  %.58.i149.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.3702.i.i.i.i
+  %.64.i150.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.3699.i.i.i.i
   %.80.i151.i.i.i.i = fadd contract double %.64.i150.i.i.i.i, %.58.i149.i.i.i.i
-  %.46.i152.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.3699.i.i.i.i
-  %.52.i153.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.3702.i.i.i.i
+  %.46.i152.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.3699.i.i.i.i
+  %.52.i153.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.3702.i.i.i.i
   %.70.i154.i.i.i.i = fsub contract double %.46.i152.i.i.i.i, %.52.i153.i.i.i.i
-  %.58.i156.i.i.i.i = fmul contract double %.80.i62.i.i.i, 3.000000e+00
-  %.80.i158.i.i.i.i = fadd contract double %.58.i.i.i1.i.i, %.58.i156.i.i.i.i
-  %.46.i159.i.i.i.i = fmul contract double %.70.i65.i.i.i, 3.000000e+00
+  %.58.i156.i.i.i.i = fmul contract double %.80.i77.i.i.i, 3.000000e+00
+  %.80.i158.i.i.i.i = fadd contract double %.58.i.i.i15.i.i, %.58.i156.i.i.i.i
+  %.46.i159.i.i.i.i = fmul contract double %.70.i80.i.i.i, 3.000000e+00
   %.3762.i.i.i.i = fadd contract double %.80.i151.i.i.i.i, 0.000000e+00
   %.3759.i.i.i.i = fadd contract double %.70.i154.i.i.i.i, 0xC0C172813AB99F84
-  %438 = fsub contract double %.52.i.i.i5.i.i, %.46.i159.i.i.i.i
+  %438 = fsub contract double %.52.i.i.i19.i.i, %.46.i159.i.i.i.i
   %.3827.i.i.i.i = fadd contract double %438, 1.000000e+00
   %.3830.i.i.i.i = fsub contract double 0.000000e+00, %.80.i158.i.i.i.i
-  %.45.i.i.i.i.i449 = tail call contract double @llvm.fabs.f64(double %.3827.i.i.i.i)
-  %.50.i.i.i.i.i450 = tail call contract double @llvm.fabs.f64(double %.3830.i.i.i.i)
-  %.56.i.i.i.i.i451 = fcmp ult double %.45.i.i.i.i.i449, %.50.i.i.i.i.i450
-  br i1 %.56.i.i.i.i.i451, label %B270.i.i.i.i.i, label %B132.i.i.i.i.i
+  %.45.i.i.i.i.i477 = tail call contract double @llvm.fabs.f64(double %.3827.i.i.i.i)
+  %.50.i.i.i.i.i478 = tail call contract double @llvm.fabs.f64(double %.3830.i.i.i.i)
+  %.56.i.i.i.i.i479 = fcmp ult double %.45.i.i.i.i.i477, %.50.i.i.i.i.i478
+  br i1 %.56.i.i.i.i.i479, label %B270.i.i.i.i.i, label %B132.i.i.i.i.i
 
-B132.i.i.i.i.i:                                   ; preds = %B0.endif.endif.i.i.i
+B132.i.i.i.i.i:                                   ; preds = %B188.i.i.i
   %.59.i.i.i.i.i = fcmp contract oeq double %.3827.i.i.i.i, 0.000000e+00
-  br i1 %.59.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.i.i.i.i.i, !prof !219
+  br i1 %.59.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.i.i.i.i.i, !prof !219
 
-B270.i.i.i.i.i:                                   ; preds = %B0.endif.endif.i.i.i
-  %.132.i.i.i.i.i = fcmp contract ult double %.50.i.i.i.i.i450, %.45.i.i.i.i.i449
+B270.i.i.i.i.i:                                   ; preds = %B188.i.i.i
+  %.132.i.i.i.i.i = fcmp contract ult double %.50.i.i.i.i.i478, %.45.i.i.i.i.i477
   br i1 %.132.i.i.i.i.i, label %B0.endif.endif.endif.endi...endif.4.endif.endif.endif.i.i.i.i, label %B282.i.i.i.i.i
 
 B282.i.i.i.i.i:                                   ; preds = %B270.i.i.i.i.i
   %.136.i.i.i.i.i = fcmp contract oeq double %.3830.i.i.i.i, 0.000000e+00
-  br i1 %.136.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.i.i.i.i.i, !prof !220
+  br i1 %.136.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.i.i.i.i.i, !prof !220
 
 B174.endif.i.i.i.i.i:                             ; preds = %B132.i.i.i.i.i
-  %.89.i.i.i.i.i452 = fdiv contract double %.3830.i.i.i.i, %.3827.i.i.i.i
-  %.91.i.i.i.i.i = fmul contract double %.3830.i.i.i.i, %.89.i.i.i.i.i452
+  %.89.i.i.i.i.i480 = fdiv contract double %.3830.i.i.i.i, %.3827.i.i.i.i
+  %.91.i.i.i.i.i = fmul contract double %.3830.i.i.i.i, %.89.i.i.i.i.i480
   %.93.i.i.i.i.i = fadd contract double %.3827.i.i.i.i, %.91.i.i.i.i.i
   %.98.i.i.i.i.i = fcmp contract oeq double %.93.i.i.i.i.i, 0.000000e+00
-  br i1 %.98.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i.i.i.i.i, !prof !220
+  br i1 %.98.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i.i.i.i.i, !prof !220
 
 B174.endif.endif.i.i.i.i.i:                       ; preds = %B174.endif.i.i.i.i.i
-  %.95.i.i.i.i.i = fmul contract double %.89.i.i.i.i.i452, %.3762.i.i.i.i
+  %.95.i.i.i.i.i = fmul contract double %.89.i.i.i.i.i480, %.3762.i.i.i.i
   %.97.i.i.i.i.i = fadd contract double %.3759.i.i.i.i, %.95.i.i.i.i.i
   %.105.i.i.i.i.i = fdiv contract double %.97.i.i.i.i.i, %.93.i.i.i.i.i
-  %.107.i.i.i.i.i = fmul contract double %.89.i.i.i.i.i452, %.3759.i.i.i.i
+  %.107.i.i.i.i.i = fmul contract double %.89.i.i.i.i.i480, %.3759.i.i.i.i
   %.109.i.i.i.i.i = fsub contract double %.3762.i.i.i.i, %.107.i.i.i.i.i
   %.117.i.i.i.i.i = fdiv contract double %.109.i.i.i.i.i, %.93.i.i.i.i.i
   br label %B0.endif.endif.endif.endi...endif.4.endif.endif.endif.i.i.i.i
@@ -6081,7 +6034,7 @@ B282.endif.i.i.i.i.i:                             ; preds = %B282.i.i.i.i.i
   %.145.i.i.i.i.i = fmul contract double %.3827.i.i.i.i, %.143.i.i.i.i.i
   %.147.i.i.i.i.i = fadd contract double %.3830.i.i.i.i, %.145.i.i.i.i.i
   %.152.i.i.i.i.i = fcmp contract oeq double %.147.i.i.i.i.i, 0.000000e+00
-  br i1 %.152.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i.i.i.i.i, !prof !220
+  br i1 %.152.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i.i.i.i.i, !prof !220
 
 B282.endif.endif.i.i.i.i.i:                       ; preds = %B282.endif.i.i.i.i.i
   %.149.i.i.i.i.i = fmul contract double %.143.i.i.i.i.i, %.3759.i.i.i.i
@@ -6099,50 +6052,50 @@ B0.endif.endif.endif.endi...endif.4.endif.endif.endif.i.i.i.i: ; preds = %B282.e
   %.3882.i.i.i.i = fadd contract double %.3498.i.i.i.i, %.3834.sroa.4.0.i.i.i.i
   store double %.3879.i.i.i.i, ptr %.3494.i.i.i.i, align 8, !noalias !221
   store double %.3882.i.i.i.i, ptr %.3497.i.i.i.i, align 8, !noalias !221
-  %.64.i164.i.i.i.i = fmul contract double %.80.i62.i.i.i, 0x40C0712C540DB5CD
-  %.80.i165.i.i.i.i = fadd contract double %.58.i.i.i1.i.i, %.64.i164.i.i.i.i
-  %.46.i166.i.i.i.i = fmul contract double %.70.i65.i.i.i, 0x40C0712C540DB5CD
-  %.70.i168.i.i.i.i = fsub contract double %.46.i166.i.i.i.i, %.52.i.i.i5.i.i
+  %.64.i164.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0x40C0712C540DB5CD
+  %.80.i165.i.i.i.i = fadd contract double %.58.i.i.i15.i.i, %.64.i164.i.i.i.i
+  %.46.i166.i.i.i.i = fmul contract double %.70.i80.i.i.i, 0x40C0712C540DB5CD
+  %.70.i168.i.i.i.i = fsub contract double %.46.i166.i.i.i.i, %.52.i.i.i19.i.i
   %.4068.i.i.i.i = fadd contract double %.70.i168.i.i.i.i, 0x40A79A477BF30A91
   %.4071.i.i.i.i = fadd contract double %.80.i165.i.i.i.i, 0.000000e+00
-  %.58.i170.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.4071.i.i.i.i
-  %.64.i171.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.4068.i.i.i.i
+  %.58.i170.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.4071.i.i.i.i
+  %.64.i171.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.4068.i.i.i.i
   %.80.i172.i.i.i.i = fadd contract double %.64.i171.i.i.i.i, %.58.i170.i.i.i.i
-  %.46.i173.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.4068.i.i.i.i
-  %.52.i174.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.4071.i.i.i.i
+  %.46.i173.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.4068.i.i.i.i
+  %.52.i174.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.4071.i.i.i.i
   %.70.i175.i.i.i.i = fsub contract double %.46.i173.i.i.i.i, %.52.i174.i.i.i.i
   %.4128.i.i.i.i = fadd contract double %.70.i175.i.i.i.i, 0xC0A4B055B758E414
   %.4131.i.i.i.i = fadd contract double %.80.i172.i.i.i.i, 0.000000e+00
-  %.58.i177.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.4131.i.i.i.i
-  %.64.i178.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.4128.i.i.i.i
+  %.58.i177.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.4131.i.i.i.i
+  %.64.i178.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.4128.i.i.i.i
   %.80.i179.i.i.i.i = fadd contract double %.64.i178.i.i.i.i, %.58.i177.i.i.i.i
-  %.46.i180.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.4128.i.i.i.i
-  %.52.i181.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.4131.i.i.i.i
+  %.46.i180.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.4128.i.i.i.i
+  %.52.i181.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.4131.i.i.i.i
   %.70.i182.i.i.i.i = fsub contract double %.46.i180.i.i.i.i, %.52.i181.i.i.i.i
   %.4248.i.i.i.i = load double, ptr %.4246.i.i.i.i, align 8, !noalias !221
   %.4250.i.i.i.i = load double, ptr %.4249.i.i.i.i, align 8, !noalias !221
   %.4191.i.i.i.i = fadd contract double %.80.i179.i.i.i.i, 0.000000e+00
   %.4188.i.i.i.i = fadd contract double %.70.i182.i.i.i.i, 0x406D67FD70A13797
-  br i1 %.56.i.i.i.i.i451, label %B270.i215.i.i.i.i, label %B132.i194.i.i.i.i
+  br i1 %.56.i.i.i.i.i479, label %B270.i215.i.i.i.i, label %B132.i194.i.i.i.i
 
 B132.i194.i.i.i.i:                                ; preds = %B0.endif.endif.endif.endi...endif.4.endif.endif.endif.i.i.i.i
   %.59.i195.i.i.i.i = fcmp contract oeq double %.3827.i.i.i.i, 0.000000e+00
-  br i1 %.59.i195.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.i196.i.i.i.i, !prof !219
+  br i1 %.59.i195.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.i196.i.i.i.i, !prof !219
 
 B270.i215.i.i.i.i:                                ; preds = %B0.endif.endif.endif.endi...endif.4.endif.endif.endif.i.i.i.i
-  %.132.i216.i.i.i.i = fcmp contract ult double %.50.i.i.i.i.i450, %.45.i.i.i.i.i449
+  %.132.i216.i.i.i.i = fcmp contract ult double %.50.i.i.i.i.i478, %.45.i.i.i.i.i477
   br i1 %.132.i216.i.i.i.i, label %B0.endif.endif.endif.endi...endif.6.i.i.i.i, label %B282.i217.i.i.i.i
 
 B282.i217.i.i.i.i:                                ; preds = %B270.i215.i.i.i.i
   %.136.i218.i.i.i.i = fcmp contract oeq double %.3830.i.i.i.i, 0.000000e+00
-  br i1 %.136.i218.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.i219.i.i.i.i, !prof !220
+  br i1 %.136.i218.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.i219.i.i.i.i, !prof !220
 
 B174.endif.i196.i.i.i.i:                          ; preds = %B132.i194.i.i.i.i
   %.89.i197.i.i.i.i = fdiv contract double %.3830.i.i.i.i, %.3827.i.i.i.i
   %.91.i198.i.i.i.i = fmul contract double %.3830.i.i.i.i, %.89.i197.i.i.i.i
   %.93.i199.i.i.i.i = fadd contract double %.3827.i.i.i.i, %.91.i198.i.i.i.i
   %.98.i200.i.i.i.i = fcmp contract oeq double %.93.i199.i.i.i.i, 0.000000e+00
-  br i1 %.98.i200.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i201.i.i.i.i, !prof !220
+  br i1 %.98.i200.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i201.i.i.i.i, !prof !220
 
 B174.endif.endif.i201.i.i.i.i:                    ; preds = %B174.endif.i196.i.i.i.i
   %.95.i202.i.i.i.i = fmul contract double %.89.i197.i.i.i.i, %.4191.i.i.i.i
@@ -6158,7 +6111,7 @@ B282.endif.i219.i.i.i.i:                          ; preds = %B282.i217.i.i.i.i
   %.145.i221.i.i.i.i = fmul contract double %.3827.i.i.i.i, %.143.i220.i.i.i.i
   %.147.i222.i.i.i.i = fadd contract double %.3830.i.i.i.i, %.145.i221.i.i.i.i
   %.152.i223.i.i.i.i = fcmp contract oeq double %.147.i222.i.i.i.i, 0.000000e+00
-  br i1 %.152.i223.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i224.i.i.i.i, !prof !220
+  br i1 %.152.i223.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i224.i.i.i.i, !prof !220
 
 B282.endif.endif.i224.i.i.i.i:                    ; preds = %B282.endif.i219.i.i.i.i
   %.149.i225.i.i.i.i = fmul contract double %.143.i220.i.i.i.i, %.4188.i.i.i.i
@@ -6178,33 +6131,33 @@ B0.endif.endif.endif.endi...endif.6.i.i.i.i:      ; preds = %B282.endif.endif.i2
   store double %.4367.i.i.i.i, ptr %.4249.i.i.i.i, align 8, !noalias !221
   %.4477.i.i.i.i = load double, ptr %.4475.i.i.i.i, align 8, !noalias !221
   %.4479.i.i.i.i = load double, ptr %.4478.i.i.i.i, align 8, !noalias !221
-  %.64.i235.i.i.i.i = fmul contract double %.80.i62.i.i.i, 0x402CA90C106318D7
-  %.80.i236.i.i.i.i = fadd contract double %.58.i.i.i1.i.i, %.64.i235.i.i.i.i
-  %.46.i237.i.i.i.i = fmul contract double %.70.i65.i.i.i, 0x402CA90C106318D7
-  %.70.i239.i.i.i.i = fsub contract double %.46.i237.i.i.i.i, %.52.i.i.i5.i.i
+  %.64.i235.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0x402CA90C106318D7
+  %.80.i236.i.i.i.i = fadd contract double %.58.i.i.i15.i.i, %.64.i235.i.i.i.i
+  %.46.i237.i.i.i.i = fmul contract double %.70.i80.i.i.i, 0x402CA90C106318D7
+  %.70.i239.i.i.i.i = fsub contract double %.46.i237.i.i.i.i, %.52.i.i.i19.i.i
   %.4646.i.i.i.i = fadd contract double %.70.i239.i.i.i.i, 0xC06030460C29F3DF
   %.4649.i.i.i.i = fadd contract double %.80.i236.i.i.i.i, 0.000000e+00
-  %.58.i241.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.4649.i.i.i.i
-  %.64.i242.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.4646.i.i.i.i
+  %.58.i241.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.4649.i.i.i.i
+  %.64.i242.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.4646.i.i.i.i
   %.80.i243.i.i.i.i = fadd contract double %.64.i242.i.i.i.i, %.58.i241.i.i.i.i
-  %.46.i244.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.4646.i.i.i.i
-  %.52.i245.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.4649.i.i.i.i
+  %.46.i244.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.4646.i.i.i.i
+  %.52.i245.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.4649.i.i.i.i
   %.70.i246.i.i.i.i = fsub contract double %.46.i244.i.i.i.i, %.52.i245.i.i.i.i
   %.4706.i.i.i.i = fadd contract double %.70.i246.i.i.i.i, 0x40D015D04F4BC5D2
   %.4709.i.i.i.i = fadd contract double %.80.i243.i.i.i.i, 0.000000e+00
-  %.58.i248.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.4709.i.i.i.i
-  %.64.i249.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.4706.i.i.i.i
+  %.58.i248.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.4709.i.i.i.i
+  %.64.i249.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.4706.i.i.i.i
   %.80.i250.i.i.i.i = fadd contract double %.64.i249.i.i.i.i, %.58.i248.i.i.i.i
-  %.46.i251.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.4706.i.i.i.i
-  %.52.i252.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.4709.i.i.i.i
+  %.46.i251.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.4706.i.i.i.i
+  %.52.i252.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.4709.i.i.i.i
   %.70.i253.i.i.i.i = fsub contract double %.46.i251.i.i.i.i, %.52.i252.i.i.i.i
   %.4766.i.i.i.i = fadd contract double %.70.i253.i.i.i.i, 0xC0E536054A2E10AB
   %.4769.i.i.i.i = fadd contract double %.80.i250.i.i.i.i, 0.000000e+00
-  %.58.i255.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.4769.i.i.i.i
-  %.64.i256.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.4766.i.i.i.i
+  %.58.i255.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.4769.i.i.i.i
+  %.64.i256.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.4766.i.i.i.i
   %.80.i257.i.i.i.i = fadd contract double %.64.i256.i.i.i.i, %.58.i255.i.i.i.i
-  %.46.i258.i.i.i.i = fmul contract double %.70.i65.i.i.i, %.4766.i.i.i.i
-  %.52.i259.i.i.i.i = fmul contract double %.80.i62.i.i.i, %.4769.i.i.i.i
+  %.46.i258.i.i.i.i = fmul contract double %.70.i80.i.i.i, %.4766.i.i.i.i
+  %.52.i259.i.i.i.i = fmul contract double %.80.i77.i.i.i, %.4769.i.i.i.i
   %.70.i260.i.i.i.i = fsub contract double %.46.i258.i.i.i.i, %.52.i259.i.i.i.i
   %.4826.i.i.i.i = fadd contract double %.70.i260.i.i.i.i, 0x40C95DBCC2240A74
   %.4829.i.i.i.i = fadd contract double %.80.i257.i.i.i.i, 0.000000e+00
@@ -6214,56 +6167,100 @@ B0.endif.endif.endif.endi...endif.6.i.i.i.i:      ; preds = %B282.endif.endif.i2
   store double %.4855.i.i.i.i, ptr %.4478.i.i.i.i, align 8, !noalias !221
   %.4965.i.i.i.i = load double, ptr %.4963.i.i.i.i, align 8, !noalias !221
   %.4967.i.i.i.i = load double, ptr %.4966.i.i.i.i, align 8, !noalias !221
-  %.64.i263.i.i.i.i = fmul contract double %.80.i62.i.i.i, 0x40BD257CD0AE1310
-  %439 = fsub contract double %.58.i.i.i1.i.i, %.64.i263.i.i.i.i
-  %.46.i265.i.i.i.i = fmul contract double %.70.i65.i.i.i, 0xC0BD257CD0AE1310
-  %.70.i267.i.i.i.i = fsub contract double %.46.i265.i.i.i.i, %.52.i.i.i5.i.i
+  %.64.i263.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0x40BD257CD0AE1310
+  %439 = fsub contract double %.58.i.i.i15.i.i, %.64.i263.i.i.i.i
+  %.46.i265.i.i.i.i = fmul contract double %.70.i80.i.i.i, 0xC0BD257CD0AE1310
+  %.70.i267.i.i.i.i = fsub contract double %.46.i265.i.i.i.i, %.52.i.i.i19.i.i
   %.5047.i.i.i.i = fadd contract double %.70.i267.i.i.i.i, 0xC09600901EF7C9A4
   %.5050.i.i.i.i = fadd contract double %439, 0.000000e+00
   %.5073.i.i.i.i = fadd contract double %.5047.i.i.i.i, %.4965.i.i.i.i
   %.5076.i.i.i.i = fadd contract double %.5050.i.i.i.i, %.4967.i.i.i.i
   store double %.5073.i.i.i.i, ptr %.4963.i.i.i.i, align 8, !noalias !221
   store double %.5076.i.i.i.i, ptr %.4966.i.i.i.i, align 8, !noalias !221
-  store ptr null, ptr %.568.i.i.i, align 8, !noalias !215
-  call fastcc void @inner_13(ptr nonnull %.568.i.i.i, double %.88.sroa.0.0.i.i.i, double %.88.sroa.4.0.i.i.i, double %.455.i.i, double %"$phi446.4.2.1.i.i", ptr nonnull %arg.state.10.0.4)
-  store ptr null, ptr %.599.i.i.i, align 8, !noalias !215
-  call fastcc void @inner_13(ptr nonnull %.599.i.i.i, double %.161.sroa.0.0.i.i.i, double %.161.sroa.4.0.i.i.i, double %.520.i.i, double %"$phi556.4.2.1.i.i", ptr nonnull %arg.state.10.0.4)
-  store ptr null, ptr %.632.i.i.i, align 8, !noalias !215
-  call fastcc void @inner_14(ptr nonnull %.632.i.i.i, double %.88.sroa.0.0.i.i.i, double %.88.sroa.4.0.i.i.i, double %.455.i.i, double %"$phi446.4.2.1.i.i", double %.73.le.i.i.i, double %.613.i.i, ptr nonnull %arg.state.10.0.4)
-  store ptr null, ptr %.669.i.i.i434, align 8, !noalias !215
-  call fastcc void @inner_14(ptr nonnull %.669.i.i.i434, double %.161.sroa.0.0.i.i.i, double %.161.sroa.4.0.i.i.i, double %.520.i.i, double %"$phi556.4.2.1.i.i", double %.73.le.i17.i.i, double %.628.i.i, ptr nonnull %arg.state.10.0.4)
-  %.55.i.i.i.i = fsub contract double 1.000000e+00, %.88.sroa.0.0.i.i.i
-  %.58.i3.i.i.i = fsub contract double 0.000000e+00, %.88.sroa.4.0.i.i.i
-  %.58.i.i4.i.i.i = fmul contract double %.88.sroa.0.0.i.i.i, %.58.i3.i.i.i
-  %.64.i.i5.i.i.i = fmul contract double %.88.sroa.4.0.i.i.i, %.55.i.i.i.i
+  br label %B256.i.i.i
+
+B256.i.i.i:                                       ; preds = %B0.endif.endif.i.i.i, %B0.endif.endif.endif.endi...endif.6.i.i.i.i
+  store ptr null, ptr %.584.i.i.i, align 8, !noalias !215
+  call fastcc void @inner_13(ptr nonnull %.584.i.i.i, double %.91.sroa.0.0.i.i.i, double %.91.sroa.4.0.i.i.i, double %.455.i.i, double %"$phi446.4.2.1.i.i", ptr nonnull %arg.state.10.0.4)
+  switch i63 %trunc.i.i, label %B364.i.i.i [
+    i63 4, label %B326.i.i.i
+    i63 0, label %B326.i.i.i
+  ]
+
+B326.i.i.i:                                       ; preds = %B0.endif.endif.i.i.i, %B256.i.i.i, %B256.i.i.i
+  store ptr null, ptr %.621.i.i.i, align 8, !noalias !215
+  call fastcc void @inner_13(ptr nonnull %.621.i.i.i, double %.164.sroa.0.0.i.i.i, double %.164.sroa.4.0.i.i.i, double %.520.i.i, double %"$phi556.4.2.1.i.i", ptr nonnull %arg.state.10.0.4)
+  switch i63 %trunc.i.i, label %B624.i.i.i [
+    i63 3, label %B416.i.i.i
+    i63 1, label %B416.i.i.i
+    i63 0, label %B416.i.i.i
+    i63 4, label %B520.i.i.i
+    i63 2, label %B520.i.i.i
+  ]
+
+B364.i.i.i:                                       ; preds = %B0.endif.endif.i.i.i, %B256.i.i.i
+  %.old.i.i.i = and i64 %.326290306.i.i, 9223372036854775805
+  %or.cond.i.not.old.i.i.i = icmp eq i64 %.old.i.i.i, 1
+  br i1 %or.cond.i.not.old.i.i.i, label %B416.i.i.i, label %B464.i.i.i
+
+B416.i.i.i:                                       ; preds = %B364.i.i.i, %B326.i.i.i, %B326.i.i.i, %B326.i.i.i
+  store ptr null, ptr %.700.i.i.i, align 8, !noalias !215
+  call fastcc void @inner_14(ptr nonnull %.700.i.i.i, double %.91.sroa.0.0.i.i.i, double %.91.sroa.4.0.i.i.i, double %.455.i.i, double %"$phi446.4.2.1.i.i", double %.73.le.i.i.i, double %.613.i.i, ptr nonnull %arg.state.10.0.4)
+  br label %B464.i.i.i
+
+B464.i.i.i:                                       ; preds = %B416.i.i.i, %B364.i.i.i
+  switch i63 %trunc.i.i, label %B572.i.i.i [
+    i63 0, label %B520.i.i.i
+    i63 4, label %B520.i.i.i
+    i63 2, label %B520.i.i.i
+  ]
+
+B520.i.i.i:                                       ; preds = %B464.i.i.i, %B464.i.i.i, %B464.i.i.i, %B326.i.i.i, %B326.i.i.i
+  store ptr null, ptr %.783.i.i.i, align 8, !noalias !215
+  call fastcc void @inner_14(ptr nonnull %.783.i.i.i, double %.164.sroa.0.0.i.i.i, double %.164.sroa.4.0.i.i.i, double %.520.i.i, double %"$phi556.4.2.1.i.i", double %.73.le.i17.i.i, double %.628.i.i, ptr nonnull %arg.state.10.0.4)
+  switch i63 %trunc.i.i, label %B660.i.i.i [
+    i63 4, label %B624.i.i.i
+    i63 3, label %B624.i.i.i
+    i63 0, label %B624.i.i.i
+  ]
+
+B572.i.i.i:                                       ; preds = %B464.i.i.i
+  %or.cond.i16.old.i.i.i = icmp samesign ult i64 %.326290306.i.i, 3
+  br i1 %or.cond.i16.old.i.i.i, label %B660.i.i.i, label %B624.i.i.i
+
+B624.i.i.i:                                       ; preds = %B572.i.i.i, %B520.i.i.i, %B520.i.i.i, %B520.i.i.i, %B326.i.i.i
+  %.55.i.i.i.i = fsub contract double 1.000000e+00, %.91.sroa.0.0.i.i.i
+  %.58.i3.i.i.i = fsub contract double 0.000000e+00, %.91.sroa.4.0.i.i.i
+  %.58.i.i4.i.i.i = fmul contract double %.91.sroa.0.0.i.i.i, %.58.i3.i.i.i
+  %.64.i.i5.i.i.i = fmul contract double %.91.sroa.4.0.i.i.i, %.55.i.i.i.i
   %.80.i.i6.i.i.i = fadd contract double %.58.i.i4.i.i.i, %.64.i.i5.i.i.i
-  %.46.i.i7.i.i.i = fmul contract double %.88.sroa.0.0.i.i.i, %.55.i.i.i.i
-  %.52.i.i8.i.i.i = fmul contract double %.88.sroa.4.0.i.i.i, %.58.i3.i.i.i
+  %.46.i.i7.i.i.i = fmul contract double %.91.sroa.0.0.i.i.i, %.55.i.i.i.i
+  %.52.i.i8.i.i.i = fmul contract double %.91.sroa.4.0.i.i.i, %.58.i3.i.i.i
   %.70.i.i9.i.i.i = fsub contract double %.46.i.i7.i.i.i, %.52.i.i8.i.i.i
-  %.58.i1.i.i7.i.i = fmul contract double %"$phi446.4.2.1.i.i", %.70.i.i9.i.i.i
-  %.64.i2.i.i8.i.i = fmul contract double %.455.i.i, %.80.i.i6.i.i.i
-  %.80.i3.i.i9.i.i = fadd contract double %.64.i2.i.i8.i.i, %.58.i1.i.i7.i.i
-  %.46.i4.i.i10.i.i = fmul contract double %.455.i.i, %.70.i.i9.i.i.i
-  %.52.i5.i.i11.i.i = fmul contract double %"$phi446.4.2.1.i.i", %.80.i.i6.i.i.i
-  %.70.i6.i.i12.i.i = fsub contract double %.46.i4.i.i10.i.i, %.52.i5.i.i11.i.i
-  %.58.i8.i.i13.i.i = fmul contract double %"$phi556.4.2.1.i.i", %.70.i6.i.i12.i.i
-  %.64.i9.i.i14.i.i = fmul contract double %.520.i.i, %.80.i3.i.i9.i.i
-  %.80.i10.i.i15.i.i = fadd contract double %.64.i9.i.i14.i.i, %.58.i8.i.i13.i.i
-  %.46.i11.i.i16.i.i = fmul contract double %.520.i.i, %.70.i6.i.i12.i.i
-  %.52.i12.i.i17.i.i = fmul contract double %"$phi556.4.2.1.i.i", %.80.i3.i.i9.i.i
-  %.70.i13.i.i18.i.i = fsub contract double %.46.i11.i.i16.i.i, %.52.i12.i.i17.i.i
+  %.58.i1.i.i1.i.i = fmul contract double %"$phi446.4.2.1.i.i", %.70.i.i9.i.i.i
+  %.64.i2.i.i2.i.i = fmul contract double %.455.i.i, %.80.i.i6.i.i.i
+  %.80.i3.i.i3.i.i = fadd contract double %.64.i2.i.i2.i.i, %.58.i1.i.i1.i.i
+  %.46.i4.i.i4.i.i = fmul contract double %.455.i.i, %.70.i.i9.i.i.i
+  %.52.i5.i.i5.i.i = fmul contract double %"$phi446.4.2.1.i.i", %.80.i.i6.i.i.i
+  %.70.i6.i.i6.i.i = fsub contract double %.46.i4.i.i4.i.i, %.52.i5.i.i5.i.i
+  %.58.i8.i.i7.i.i = fmul contract double %"$phi556.4.2.1.i.i", %.70.i6.i.i6.i.i
+  %.64.i9.i.i8.i.i = fmul contract double %.520.i.i, %.80.i3.i.i3.i.i
+  %.80.i10.i.i9.i.i = fadd contract double %.64.i9.i.i8.i.i, %.58.i8.i.i7.i.i
+  %.46.i11.i.i10.i.i = fmul contract double %.520.i.i, %.70.i6.i.i6.i.i
+  %.52.i12.i.i11.i.i = fmul contract double %"$phi556.4.2.1.i.i", %.80.i3.i.i3.i.i
+  %.70.i13.i.i12.i.i = fsub contract double %.46.i11.i.i10.i.i, %.52.i12.i.i11.i.i
   %.195.i.i.i.i = load double, ptr %.588.i.i.i.i, align 8, !noalias !225
   %.197.i.i.i.i = load double, ptr %.591.i.i.i.i, align 8, !noalias !225
-  %.58.i15.i.i19.i.i = fmul contract double %.80.i10.i.i15.i.i, 9.875000e+01
-  %.64.i16.i.i20.i.i = fmul contract double %.70.i13.i.i18.i.i, 0.000000e+00
-  %440 = fsub contract double %.64.i16.i.i20.i.i, %.58.i15.i.i19.i.i
-  %.46.i18.i.i.i.i = fmul contract double %.70.i13.i.i18.i.i, -9.875000e+01
-  %.52.i19.i.i.i.i = fmul contract double %.80.i10.i.i15.i.i, 0.000000e+00
+  %.58.i15.i.i13.i.i = fmul contract double %.80.i10.i.i9.i.i, 9.875000e+01
+  %.64.i16.i.i14.i.i = fmul contract double %.70.i13.i.i12.i.i, 0.000000e+00
+  %440 = fsub contract double %.64.i16.i.i14.i.i, %.58.i15.i.i13.i.i
+  %.46.i18.i.i.i.i = fmul contract double %.70.i13.i.i12.i.i, -9.875000e+01
+  %.52.i19.i.i.i.i = fmul contract double %.80.i10.i.i9.i.i, 0.000000e+00
   %.70.i20.i.i.i.i = fsub contract double %.46.i18.i.i.i.i, %.52.i19.i.i.i.i
   %.251.i.i.i.i = fadd contract double %.70.i20.i.i.i.i, %.195.i.i.i.i
-  %.254.i.i.i.i453 = fadd contract double %440, %.197.i.i.i.i
+  %.254.i.i.i.i447 = fadd contract double %440, %.197.i.i.i.i
   store double %.251.i.i.i.i, ptr %.588.i.i.i.i, align 8, !noalias !225
-  store double %.254.i.i.i.i453, ptr %.591.i.i.i.i, align 8, !noalias !225
+  store double %.254.i.i.i.i447, ptr %.591.i.i.i.i, align 8, !noalias !225
   %.364.i.i.i.i = load double, ptr %.1111.i.i.i.i, align 8, !noalias !225
   %.366.i.i.i.i = load double, ptr %.1114.i.i.i.i, align 8, !noalias !225
   %.58.i22.i.i.i.i = fmul contract double %.80.i.i6.i.i.i, 0x40735B8E38E38E39
@@ -6274,21 +6271,21 @@ B0.endif.endif.endif.endi...endif.6.i.i.i.i:      ; preds = %B282.endif.endif.i2
   %.70.i27.i.i.i.i = fsub contract double %.46.i25.i.i.i.i, %.52.i26.i.i.i.i
   %.428.i.i.i.i = fadd contract double %.70.i27.i.i.i.i, 0x40723BDB6DB6DB6E
   %.431.i.i.i.i = fadd contract double %.80.i24.i.i.i.i, 0.000000e+00
-  %.58.i29.i.i.i.i = fmul contract double %.431.i.i.i.i, %.70.i13.i.i18.i.i
-  %.64.i30.i.i.i.i = fmul contract double %.428.i.i.i.i, %.80.i10.i.i15.i.i
+  %.58.i29.i.i.i.i = fmul contract double %.431.i.i.i.i, %.70.i13.i.i12.i.i
+  %.64.i30.i.i.i.i = fmul contract double %.428.i.i.i.i, %.80.i10.i.i9.i.i
   %.80.i31.i.i.i.i = fadd contract double %.64.i30.i.i.i.i, %.58.i29.i.i.i.i
-  %.46.i32.i.i.i.i = fmul contract double %.428.i.i.i.i, %.70.i13.i.i18.i.i
-  %.52.i33.i.i.i.i = fmul contract double %.431.i.i.i.i, %.80.i10.i.i15.i.i
+  %.46.i32.i.i.i.i = fmul contract double %.428.i.i.i.i, %.70.i13.i.i12.i.i
+  %.52.i33.i.i.i.i = fmul contract double %.431.i.i.i.i, %.80.i10.i.i9.i.i
   %.70.i34.i.i.i.i = fsub contract double %.46.i32.i.i.i.i, %.52.i33.i.i.i.i
   %.480.i10.i.i.i = fadd contract double %.70.i34.i.i.i.i, %.364.i.i.i.i
   %.483.i.i.i.i = fadd contract double %.80.i31.i.i.i.i, %.366.i.i.i.i
   store double %.480.i10.i.i.i, ptr %.1111.i.i.i.i, align 8, !noalias !225
   store double %.483.i.i.i.i, ptr %.1114.i.i.i.i, align 8, !noalias !225
-  %.58.i36.i.i.i.i = fmul contract double %"$phi446.4.2.1.i.i", %.88.sroa.0.0.i.i.i
-  %.64.i37.i.i.i.i = fmul contract double %.455.i.i, %.88.sroa.4.0.i.i.i
+  %.58.i36.i.i.i.i = fmul contract double %"$phi446.4.2.1.i.i", %.91.sroa.0.0.i.i.i
+  %.64.i37.i.i.i.i = fmul contract double %.455.i.i, %.91.sroa.4.0.i.i.i
   %.80.i38.i.i.i.i = fadd contract double %.64.i37.i.i.i.i, %.58.i36.i.i.i.i
-  %.46.i39.i.i.i.i = fmul contract double %.455.i.i, %.88.sroa.0.0.i.i.i
-  %.52.i40.i.i.i.i = fmul contract double %"$phi446.4.2.1.i.i", %.88.sroa.4.0.i.i.i
+  %.46.i39.i.i.i.i = fmul contract double %.455.i.i, %.91.sroa.0.0.i.i.i
+  %.52.i40.i.i.i.i = fmul contract double %"$phi446.4.2.1.i.i", %.91.sroa.4.0.i.i.i
   %.70.i41.i.i.i.i = fsub contract double %.46.i39.i.i.i.i, %.52.i40.i.i.i.i
   %.58.i43.i.i.i.i = fmul contract double %"$phi556.4.2.1.i.i", %.55.i.i.i.i
   %.64.i44.i.i.i.i = fmul contract double %.520.i.i, %.58.i3.i.i.i
@@ -6298,9 +6295,9 @@ B0.endif.endif.endif.endi...endif.6.i.i.i.i:      ; preds = %B282.endif.endif.i2
   %.70.i48.i.i.i.i = fsub contract double %.46.i46.i.i.i.i, %.52.i47.i.i.i.i
   %.705.i.i.i.i = load double, ptr %.1645.i.i.i.i, align 8, !noalias !225
   %.707.i.i.i.i = load double, ptr %.1648.i.i.i.i, align 8, !noalias !225
-  %.58.i50.i.i.i.i = fmul contract double %.80.i10.i.i15.i.i, 8.000000e+02
-  %.80.i52.i.i.i.i = fadd contract double %.64.i16.i.i20.i.i, %.58.i50.i.i.i.i
-  %.46.i53.i.i.i.i = fmul contract double %.70.i13.i.i18.i.i, 8.000000e+02
+  %.58.i50.i.i.i.i = fmul contract double %.80.i10.i.i9.i.i, 8.000000e+02
+  %.80.i52.i.i.i.i = fadd contract double %.64.i16.i.i14.i.i, %.58.i50.i.i.i.i
+  %.46.i53.i.i.i.i = fmul contract double %.70.i13.i.i12.i.i, 8.000000e+02
   %.70.i55.i.i.i.i = fsub contract double %.46.i53.i.i.i.i, %.52.i19.i.i.i.i
   %.648.i.i.i.i = fsub contract double %.80.i38.i.i.i.i, %.80.i45.i.i.i.i
   %.645.i.i.i.i = fsub contract double %.70.i41.i.i.i.i, %.70.i48.i.i.i.i
@@ -6327,775 +6324,860 @@ B0.endif.endif.endif.endi...endif.6.i.i.i.i:      ; preds = %B282.endif.endif.i2
   %.929.i.i.i.i = fadd contract double %441, %.707.i.i.i.i
   store double %.926.i.i.i.i, ptr %.1645.i.i.i.i, align 8, !noalias !225
   store double %.929.i.i.i.i, ptr %.1648.i.i.i.i, align 8, !noalias !225
-  store ptr null, ptr %.737.i.i.i436, align 8, !noalias !215
-  call fastcc void @inner_15(ptr nonnull %.737.i.i.i436, double %.88.sroa.0.0.i.i.i, double %.88.sroa.4.0.i.i.i, double %.81.i.i, double %"$phi620.1.2.1.i.i", ptr nonnull %arg.state.10.0.4)
-  store ptr null, ptr %.775.i.i.i, align 8, !noalias !215
-  call fastcc void @inner_15(ptr nonnull %.775.i.i.i, double %.161.sroa.0.0.i.i.i, double %.161.sroa.4.0.i.i.i, double %.111.i.i, double %"$phi670.1.2.1.i.i", ptr nonnull %arg.state.10.0.4)
-  %.58.i67.i.i.i = fmul contract double %.80.i62.i.i.i, 1.280000e+02
-  %.80.i69.i.i.i = fadd contract double %.58.i.i.i1.i.i, %.58.i67.i.i.i
-  %.46.i70.i.i.i = fmul contract double %.70.i65.i.i.i, 1.280000e+02
-  %.70.i72.i.i.i = fsub contract double %.46.i70.i.i.i, %.52.i.i.i5.i.i
-  %.45.i74.i.i.i = tail call contract double @llvm.fabs.f64(double %.70.i72.i.i.i)
-  %.50.i75.i.i.i = tail call contract double @llvm.fabs.f64(double %.80.i69.i.i.i)
-  %.56.i76.i.i.i = fcmp contract ult double %.45.i74.i.i.i, %.50.i75.i.i.i
-  br i1 %.56.i76.i.i.i, label %B270.i98.i.i.i, label %B132.i77.i.i.i
+  br label %B660.i.i.i
 
-B132.i77.i.i.i:                                   ; preds = %B0.endif.endif.endif.endi...endif.6.i.i.i.i
-  %.59.i78.i.i.i = fcmp contract oeq double %.70.i72.i.i.i, 0.000000e+00
-  br i1 %.59.i78.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.i79.i.i.i, !prof !219
+B660.i.i.i:                                       ; preds = %B624.i.i.i, %B572.i.i.i, %B520.i.i.i
+  %442 = icmp samesign ult i64 %.326290306.i.i, 2
+  br i1 %442, label %B696.i.i.i, label %B742.i.i.i
 
-B270.i98.i.i.i:                                   ; preds = %B0.endif.endif.endif.endi...endif.6.i.i.i.i
-  %.132.i99.i.i.i = fcmp contract ult double %.50.i75.i.i.i, %.45.i74.i.i.i
-  br i1 %.132.i99.i.i.i, label %B576.if.i.i.i, label %B282.i100.i.i.i
+B696.i.i.i:                                       ; preds = %B660.i.i.i
+  store ptr null, ptr %.911.i.i.i, align 8, !noalias !215
+  call fastcc void @inner_15(ptr nonnull %.911.i.i.i, double %.91.sroa.0.0.i.i.i, double %.91.sroa.4.0.i.i.i, double %.81.i.i, double %"$phi620.1.2.1.i.i", ptr nonnull %arg.state.10.0.4)
+  br label %B742.i.i.i
 
-B282.i100.i.i.i:                                  ; preds = %B270.i98.i.i.i
-  %.136.i101.i.i.i = fcmp contract oeq double %.80.i69.i.i.i, 0.000000e+00
-  br i1 %.136.i101.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.i102.i.i.i, !prof !220
+B742.i.i.i:                                       ; preds = %B696.i.i.i, %B660.i.i.i
+  switch i63 %trunc.i.i, label %B824.i.i.i [
+    i63 2, label %B778.i.i.i
+    i63 0, label %B778.i.i.i
+  ]
 
-B174.endif.i79.i.i.i:                             ; preds = %B132.i77.i.i.i
-  %.89.i80.i.i.i = fdiv contract double %.80.i69.i.i.i, %.70.i72.i.i.i
-  %.91.i81.i.i.i = fmul contract double %.80.i69.i.i.i, %.89.i80.i.i.i
-  %.93.i82.i.i.i = fadd contract double %.70.i72.i.i.i, %.91.i81.i.i.i
-  %.98.i83.i.i.i = fcmp contract oeq double %.93.i82.i.i.i, 0.000000e+00
-  br i1 %.98.i83.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i84.i.i.i, !prof !220
+B778.i.i.i:                                       ; preds = %B742.i.i.i, %B742.i.i.i
+  store ptr null, ptr %.963.i.i.i435, align 8, !noalias !215
+  call fastcc void @inner_15(ptr nonnull %.963.i.i.i435, double %.164.sroa.0.0.i.i.i, double %.164.sroa.4.0.i.i.i, double %.111.i.i, double %"$phi670.1.2.1.i.i", ptr nonnull %arg.state.10.0.4)
+  br label %B824.i.i.i
 
-B174.endif.endif.i84.i.i.i:                       ; preds = %B174.endif.i79.i.i.i
-  %.95.i85.i.i.i = fmul contract double %.89.i80.i.i.i, 0.000000e+00
-  %.97.i86.i.i.i = fadd contract double %.95.i85.i.i.i, 3.000000e+00
-  %.105.i87.i.i.i = fdiv contract double %.97.i86.i.i.i, %.93.i82.i.i.i
-  %.107.i88.i.i.i = fmul contract double %.89.i80.i.i.i, 3.000000e+00
-  %.109.i89.i.i.i = fsub contract double 0.000000e+00, %.107.i88.i.i.i
-  %.117.i90.i.i.i = fdiv contract double %.109.i89.i.i.i, %.93.i82.i.i.i
-  br label %B576.if.i.i.i
-
-B282.endif.i102.i.i.i:                            ; preds = %B282.i100.i.i.i
-  %.143.i103.i.i.i = fdiv contract double %.70.i72.i.i.i, %.80.i69.i.i.i
-  %.145.i104.i.i.i = fmul contract double %.70.i72.i.i.i, %.143.i103.i.i.i
-  %.147.i105.i.i.i = fadd contract double %.80.i69.i.i.i, %.145.i104.i.i.i
-  %.152.i106.i.i.i = fcmp contract oeq double %.147.i105.i.i.i, 0.000000e+00
-  br i1 %.152.i106.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i107.i.i.i, !prof !220
-
-B282.endif.endif.i107.i.i.i:                      ; preds = %B282.endif.i102.i.i.i
-  %.149.i108.i.i.i = fmul contract double %.143.i103.i.i.i, 3.000000e+00
-  %.151.i109.i.i.i = fadd contract double %.149.i108.i.i.i, 0.000000e+00
-  %.159.i110.i.i.i = fdiv contract double %.151.i109.i.i.i, %.147.i105.i.i.i
-  %.161.i111.i.i.i = fmul contract double %.143.i103.i.i.i, 0.000000e+00
-  %.163.i112.i.i.i = fadd contract double %.161.i111.i.i.i, -3.000000e+00
-  %.171.i113.i.i.i = fdiv contract double %.163.i112.i.i.i, %.147.i105.i.i.i
-  br label %B576.if.i.i.i
-
-B576.if.i.i.i:                                    ; preds = %B282.endif.endif.i107.i.i.i, %B174.endif.endif.i84.i.i.i, %B270.i98.i.i.i
-  %.850.sroa.0.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i98.i.i.i ], [ %.105.i87.i.i.i, %B174.endif.endif.i84.i.i.i ], [ %.159.i110.i.i.i, %B282.endif.endif.i107.i.i.i ]
-  %.850.sroa.4.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i98.i.i.i ], [ %.117.i90.i.i.i, %B174.endif.endif.i84.i.i.i ], [ %.171.i113.i.i.i, %B282.endif.endif.i107.i.i.i ]
-  %.1169.i.i.i = load double, ptr %arg.state.10.0.4, align 8, !noalias !215
-  %.1171.i.i.i = load double, ptr %.80.i1.i.i.i, align 8, !noalias !215
-  %.58.i117.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.i.i.i
-  %.64.i118.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.i.i.i
-  %.80.i119.i.i.i = fadd contract double %.58.i117.i.i.i, %.64.i118.i.i.i
-  %.46.i120.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.i.i.i
-  %.52.i121.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.i.i.i
-  %.70.i122.i.i.i = fsub contract double %.46.i120.i.i.i, %.52.i121.i.i.i
-  store double %.70.i122.i.i.i, ptr %arg.state.10.0.4, align 8, !noalias !215
-  store double %.80.i119.i.i.i, ptr %.80.i1.i.i.i, align 8, !noalias !215
-  %.1169.1141.i.i.i = load double, ptr %sunkaddr173.i.i.i, align 8, !noalias !215
-  %.1171.1143.i.i.i = load double, ptr %sunkaddr175.i.i.i, align 8, !noalias !215
-  %.58.i117.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1141.i.i.i
-  %.64.i118.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1143.i.i.i
-  %.80.i119.1.i.i.i = fadd contract double %.58.i117.1.i.i.i, %.64.i118.1.i.i.i
-  %.46.i120.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1141.i.i.i
-  %.52.i121.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1143.i.i.i
-  %.70.i122.1.i.i.i = fsub contract double %.46.i120.1.i.i.i, %.52.i121.1.i.i.i
-  store double %.70.i122.1.i.i.i, ptr %sunkaddr173.i.i.i, align 8, !noalias !215
-  store double %.80.i119.1.i.i.i, ptr %sunkaddr175.i.i.i, align 8, !noalias !215
-  %.1169.116.i.i.i = load double, ptr %.222.i.i.i.i, align 8, !noalias !215
-  %.1171.117.i.i.i = load double, ptr %.225.i.i.i.i, align 8, !noalias !215
-  %.58.i117.118.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.116.i.i.i
-  %.64.i118.119.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.117.i.i.i
-  %.80.i119.120.i.i.i = fadd contract double %.58.i117.118.i.i.i, %.64.i118.119.i.i.i
-  %.46.i120.121.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.116.i.i.i
-  %.52.i121.122.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.117.i.i.i
-  %.70.i122.123.i.i.i = fsub contract double %.46.i120.121.i.i.i, %.52.i121.122.i.i.i
-  store double %.70.i122.123.i.i.i, ptr %.222.i.i.i.i, align 8, !noalias !215
-  store double %.80.i119.120.i.i.i, ptr %.225.i.i.i.i, align 8, !noalias !215
-  %.1169.1141.1.i.i.i = load double, ptr %.445.i.i.i.i, align 8, !noalias !215
-  %.1171.1143.1.i.i.i = load double, ptr %.448.i.i.i.i, align 8, !noalias !215
-  %.58.i117.1.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1141.1.i.i.i
-  %.64.i118.1.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1143.1.i.i.i
-  %.80.i119.1.1.i.i.i = fadd contract double %.58.i117.1.1.i.i.i, %.64.i118.1.1.i.i.i
-  %.46.i120.1.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1141.1.i.i.i
-  %.52.i121.1.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1143.1.i.i.i
-  %.70.i122.1.1.i.i.i = fsub contract double %.46.i120.1.1.i.i.i, %.52.i121.1.1.i.i.i
-  store double %.70.i122.1.1.i.i.i, ptr %.445.i.i.i.i, align 8, !noalias !215
-  store double %.80.i119.1.1.i.i.i, ptr %.448.i.i.i.i, align 8, !noalias !215
-  %.1169.225.i.i.i = load double, ptr %.588.i.i.i.i, align 8, !noalias !215
-  %.1171.226.i.i.i = load double, ptr %.591.i.i.i.i, align 8, !noalias !215
-  %.58.i117.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.225.i.i.i
-  %.64.i118.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.226.i.i.i
-  %.80.i119.2.i.i.i = fadd contract double %.58.i117.2.i.i.i, %.64.i118.2.i.i.i
-  %.46.i120.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.225.i.i.i
-  %.52.i121.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.226.i.i.i
-  %.70.i122.2.i.i.i = fsub contract double %.46.i120.2.i.i.i, %.52.i121.2.i.i.i
-  store double %.70.i122.2.i.i.i, ptr %.588.i.i.i.i, align 8, !noalias !215
-  store double %.80.i119.2.i.i.i, ptr %.591.i.i.i.i, align 8, !noalias !215
-  %.1169.1141.2.i.i.i = load double, ptr %sunkaddr173.2.i.i.i, align 8, !noalias !215
-  %.1171.1143.2.i.i.i = load double, ptr %sunkaddr175.2.i.i.i, align 8, !noalias !215
-  %.58.i117.1.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1141.2.i.i.i
-  %.64.i118.1.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1143.2.i.i.i
-  %.80.i119.1.2.i.i.i = fadd contract double %.58.i117.1.2.i.i.i, %.64.i118.1.2.i.i.i
-  %.46.i120.1.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1141.2.i.i.i
-  %.52.i121.1.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1143.2.i.i.i
-  %.70.i122.1.2.i.i.i = fsub contract double %.46.i120.1.2.i.i.i, %.52.i121.1.2.i.i.i
-  store double %.70.i122.1.2.i.i.i, ptr %sunkaddr173.2.i.i.i, align 8, !noalias !215
-  store double %.80.i119.1.2.i.i.i, ptr %sunkaddr175.2.i.i.i, align 8, !noalias !215
-  %.1169.3.i.i.i = load double, ptr %.1111.i.i.i.i, align 8, !noalias !215
-  %.1171.3.i.i.i = load double, ptr %.1114.i.i.i.i, align 8, !noalias !215
-  %.58.i117.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.3.i.i.i
-  %.64.i118.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.3.i.i.i
-  %.80.i119.3.i.i.i = fadd contract double %.58.i117.3.i.i.i, %.64.i118.3.i.i.i
-  %.46.i120.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.3.i.i.i
-  %.52.i121.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.3.i.i.i
-  %.70.i122.3.i.i.i = fsub contract double %.46.i120.3.i.i.i, %.52.i121.3.i.i.i
-  store double %.70.i122.3.i.i.i, ptr %.1111.i.i.i.i, align 8, !noalias !215
-  store double %.80.i119.3.i.i.i, ptr %.1114.i.i.i.i, align 8, !noalias !215
-  %.1169.1141.3.i.i.i = load double, ptr %.1645.i.i.i.i, align 8, !noalias !215
-  %.1171.1143.3.i.i.i = load double, ptr %.1648.i.i.i.i, align 8, !noalias !215
-  %.58.i117.1.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1141.3.i.i.i
-  %.64.i118.1.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1143.3.i.i.i
-  %.80.i119.1.3.i.i.i = fadd contract double %.58.i117.1.3.i.i.i, %.64.i118.1.3.i.i.i
-  %.46.i120.1.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1141.3.i.i.i
-  %.52.i121.1.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1143.3.i.i.i
-  %.70.i122.1.3.i.i.i = fsub contract double %.46.i120.1.3.i.i.i, %.52.i121.1.3.i.i.i
-  store double %.70.i122.1.3.i.i.i, ptr %.1645.i.i.i.i, align 8, !noalias !215
-  store double %.80.i119.1.3.i.i.i, ptr %.1648.i.i.i.i, align 8, !noalias !215
-  %.1169.4.i.i.i = load double, ptr %sunkaddr.4.i.i.i, align 8, !noalias !215
-  %.1171.4.i.i.i = load double, ptr %sunkaddr171.4.i.i.i, align 8, !noalias !215
-  %.58.i117.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.4.i.i.i
-  %.64.i118.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.4.i.i.i
-  %.80.i119.4.i.i.i = fadd contract double %.58.i117.4.i.i.i, %.64.i118.4.i.i.i
-  %.46.i120.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.4.i.i.i
-  %.52.i121.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.4.i.i.i
-  %.70.i122.4.i.i.i = fsub contract double %.46.i120.4.i.i.i, %.52.i121.4.i.i.i
-  store double %.70.i122.4.i.i.i, ptr %sunkaddr.4.i.i.i, align 8, !noalias !215
-  store double %.80.i119.4.i.i.i, ptr %sunkaddr171.4.i.i.i, align 8, !noalias !215
-  %.1169.1141.4.i.i.i = load double, ptr %.2656.i.i.i.i, align 8, !noalias !215
-  %.1171.1143.4.i.i.i = load double, ptr %.2659.i.i.i.i, align 8, !noalias !215
-  %.58.i117.1.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1141.4.i.i.i
-  %.64.i118.1.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1143.4.i.i.i
-  %.80.i119.1.4.i.i.i = fadd contract double %.58.i117.1.4.i.i.i, %.64.i118.1.4.i.i.i
-  %.46.i120.1.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1141.4.i.i.i
-  %.52.i121.1.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1143.4.i.i.i
-  %.70.i122.1.4.i.i.i = fsub contract double %.46.i120.1.4.i.i.i, %.52.i121.1.4.i.i.i
-  store double %.70.i122.1.4.i.i.i, ptr %.2656.i.i.i.i, align 8, !noalias !215
-  store double %.80.i119.1.4.i.i.i, ptr %.2659.i.i.i.i, align 8, !noalias !215
-  %.1169.5.i.i.i = load double, ptr %.3494.i.i.i.i, align 8, !noalias !215
-  %.1171.5.i.i.i = load double, ptr %.3497.i.i.i.i, align 8, !noalias !215
-  %.58.i117.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.5.i.i.i
-  %.64.i118.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.5.i.i.i
-  %.80.i119.5.i.i.i = fadd contract double %.58.i117.5.i.i.i, %.64.i118.5.i.i.i
-  %.46.i120.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.5.i.i.i
-  %.52.i121.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.5.i.i.i
-  %.70.i122.5.i.i.i = fsub contract double %.46.i120.5.i.i.i, %.52.i121.5.i.i.i
-  store double %.70.i122.5.i.i.i, ptr %.3494.i.i.i.i, align 8, !noalias !215
-  store double %.80.i119.5.i.i.i, ptr %.3497.i.i.i.i, align 8, !noalias !215
-  %.1169.1141.5.i.i.i = load double, ptr %.4475.i.i.i.i, align 8, !noalias !215
-  %.1171.1143.5.i.i.i = load double, ptr %.4478.i.i.i.i, align 8, !noalias !215
-  %.58.i117.1.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1141.5.i.i.i
-  %.64.i118.1.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1143.5.i.i.i
-  %.80.i119.1.5.i.i.i = fadd contract double %.58.i117.1.5.i.i.i, %.64.i118.1.5.i.i.i
-  %.46.i120.1.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1141.5.i.i.i
-  %.52.i121.1.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1143.5.i.i.i
-  %.70.i122.1.5.i.i.i = fsub contract double %.46.i120.1.5.i.i.i, %.52.i121.1.5.i.i.i
-  store double %.70.i122.1.5.i.i.i, ptr %.4475.i.i.i.i, align 8, !noalias !215
-  store double %.80.i119.1.5.i.i.i, ptr %.4478.i.i.i.i, align 8, !noalias !215
-  %.1169.6.i.i.i = load double, ptr %sunkaddr.6.i.i.i, align 8, !noalias !215
-  %.1171.6.i.i.i = load double, ptr %sunkaddr171.6.i.i.i, align 8, !noalias !215
-  %.58.i117.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.6.i.i.i
-  %.64.i118.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.6.i.i.i
-  %.80.i119.6.i.i.i = fadd contract double %.58.i117.6.i.i.i, %.64.i118.6.i.i.i
-  %.46.i120.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.6.i.i.i
-  %.52.i121.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.6.i.i.i
-  %.70.i122.6.i.i.i = fsub contract double %.46.i120.6.i.i.i, %.52.i121.6.i.i.i
-  store double %.70.i122.6.i.i.i, ptr %sunkaddr.6.i.i.i, align 8, !noalias !215
-  store double %.80.i119.6.i.i.i, ptr %sunkaddr171.6.i.i.i, align 8, !noalias !215
-  %.1169.1141.6.i.i.i = load double, ptr %sunkaddr173.6.i.i.i, align 8, !noalias !215
-  %.1171.1143.6.i.i.i = load double, ptr %sunkaddr175.6.i.i.i, align 8, !noalias !215
-  %.58.i117.1.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1141.6.i.i.i
-  %.64.i118.1.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1143.6.i.i.i
-  %.80.i119.1.6.i.i.i = fadd contract double %.58.i117.1.6.i.i.i, %.64.i118.1.6.i.i.i
-  %.46.i120.1.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1141.6.i.i.i
-  %.52.i121.1.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1143.6.i.i.i
-  %.70.i122.1.6.i.i.i = fsub contract double %.46.i120.1.6.i.i.i, %.52.i121.1.6.i.i.i
-  store double %.70.i122.1.6.i.i.i, ptr %sunkaddr173.6.i.i.i, align 8, !noalias !215
-  store double %.80.i119.1.6.i.i.i, ptr %sunkaddr175.6.i.i.i, align 8, !noalias !215
-  %.1169.7.i.i.i = load double, ptr %sunkaddr.7.i.i.i, align 8, !noalias !215
-  %.1171.7.i.i.i = load double, ptr %sunkaddr171.7.i.i.i, align 8, !noalias !215
-  %.58.i117.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.7.i.i.i
-  %.64.i118.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.7.i.i.i
-  %.80.i119.7.i.i.i = fadd contract double %.58.i117.7.i.i.i, %.64.i118.7.i.i.i
-  %.46.i120.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.7.i.i.i
-  %.52.i121.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.7.i.i.i
-  %.70.i122.7.i.i.i = fsub contract double %.46.i120.7.i.i.i, %.52.i121.7.i.i.i
-  store double %.70.i122.7.i.i.i, ptr %sunkaddr.7.i.i.i, align 8, !noalias !215
-  store double %.80.i119.7.i.i.i, ptr %sunkaddr171.7.i.i.i, align 8, !noalias !215
-  %.1169.1141.7.i.i.i = load double, ptr %sunkaddr173.7.i.i.i, align 8, !noalias !215
-  %.1171.1143.7.i.i.i = load double, ptr %sunkaddr175.7.i.i.i, align 8, !noalias !215
-  %.58.i117.1.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1141.7.i.i.i
-  %.64.i118.1.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1143.7.i.i.i
-  %.80.i119.1.7.i.i.i = fadd contract double %.58.i117.1.7.i.i.i, %.64.i118.1.7.i.i.i
-  %.46.i120.1.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1141.7.i.i.i
-  %.52.i121.1.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1143.7.i.i.i
-  %.70.i122.1.7.i.i.i = fsub contract double %.46.i120.1.7.i.i.i, %.52.i121.1.7.i.i.i
-  store double %.70.i122.1.7.i.i.i, ptr %sunkaddr173.7.i.i.i, align 8, !noalias !215
-  store double %.80.i119.1.7.i.i.i, ptr %sunkaddr175.7.i.i.i, align 8, !noalias !215
-  %.1169.1.i.i.i = load double, ptr %433, align 8, !noalias !215
-  %.1171.1.i.i.i = load double, ptr %scevgep160.i.i.i, align 8, !noalias !215
-  %.58.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.i.i.i
-  %.64.i.i.i.i454 = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.i.i.i
-  %.80.i.i.i.i = fadd contract double %.58.i.i.i.i, %.64.i.i.i.i454
-  %.46.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.i.i.i
-  %.52.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.i.i.i
+B824.i.i.i:                                       ; preds = %B778.i.i.i, %B742.i.i.i
+  %.58.i.i.i.i = fmul contract double %.80.i77.i.i.i, 1.280000e+02
+  %.64.i.i.i.i448 = fmul contract double %.70.i80.i.i.i, 0.000000e+00
+  %.80.i.i.i.i = fadd contract double %.64.i.i.i.i448, %.58.i.i.i.i
+  %.46.i.i.i.i = fmul contract double %.70.i80.i.i.i, 1.280000e+02
+  %.52.i.i.i.i = fmul contract double %.80.i77.i.i.i, 0.000000e+00
   %.70.i.i.i.i = fsub contract double %.46.i.i.i.i, %.52.i.i.i.i
-  store double %.70.i.i.i.i, ptr %433, align 8, !noalias !215
-  store double %.80.i.i.i.i, ptr %scevgep160.i.i.i, align 8, !noalias !215
-  %.1169.1.1.i.i.i = load double, ptr %scevgep157.i.i.i, align 8, !noalias !215
-  %.1171.1.1.i.i.i = load double, ptr %scevgep152.i.i.i, align 8, !noalias !215
-  %.58.i.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.1.i.i.i
-  %.64.i.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.1.i.i.i
-  %.80.i.1.i.i.i = fadd contract double %.58.i.1.i.i.i, %.64.i.1.i.i.i
-  %.46.i.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.1.i.i.i
-  %.52.i.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.1.i.i.i
-  %.70.i.1.i.i.i = fsub contract double %.46.i.1.i.i.i, %.52.i.1.i.i.i
-  store double %.70.i.1.i.i.i, ptr %scevgep157.i.i.i, align 8, !noalias !215
-  store double %.80.i.1.i.i.i, ptr %scevgep152.i.i.i, align 8, !noalias !215
-  %.1169.1.128.i.i.i = load double, ptr %scevgep159.1.i.i.i, align 8, !noalias !215
-  %.1171.1.129.i.i.i = load double, ptr %scevgep160.1.i.i.i, align 8, !noalias !215
-  %.58.i.130.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.128.i.i.i
-  %.64.i.131.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.129.i.i.i
-  %.80.i.132.i.i.i = fadd contract double %.58.i.130.i.i.i, %.64.i.131.i.i.i
-  %.46.i.133.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.128.i.i.i
-  %.52.i.134.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.129.i.i.i
-  %.70.i.135.i.i.i = fsub contract double %.46.i.133.i.i.i, %.52.i.134.i.i.i
-  store double %.70.i.135.i.i.i, ptr %scevgep159.1.i.i.i, align 8, !noalias !215
-  store double %.80.i.132.i.i.i, ptr %scevgep160.1.i.i.i, align 8, !noalias !215
-  %.1169.1.1.1.i.i.i = load double, ptr %scevgep157.1.i.i.i, align 8, !noalias !215
-  %.1171.1.1.1.i.i.i = load double, ptr %scevgep158.1.i.i.i, align 8, !noalias !215
-  %.58.i.1.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.1.1.i.i.i
-  %.64.i.1.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.1.1.i.i.i
-  %.80.i.1.1.i.i.i = fadd contract double %.58.i.1.1.i.i.i, %.64.i.1.1.i.i.i
-  %.46.i.1.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.1.1.i.i.i
-  %.52.i.1.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.1.1.i.i.i
-  %.70.i.1.1.i.i.i = fsub contract double %.46.i.1.1.i.i.i, %.52.i.1.1.i.i.i
-  store double %.70.i.1.1.i.i.i, ptr %scevgep157.1.i.i.i, align 8, !noalias !215
-  store double %.80.i.1.1.i.i.i, ptr %scevgep158.1.i.i.i, align 8, !noalias !215
-  %.1169.1.2.i.i.i = load double, ptr %scevgep159.2.i.i.i, align 8, !noalias !215
-  %.1171.1.2.i.i.i = load double, ptr %scevgep160.2.i.i.i, align 8, !noalias !215
-  %.58.i.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.2.i.i.i
-  %.64.i.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.2.i.i.i
-  %.80.i.2.i.i.i = fadd contract double %.58.i.2.i.i.i, %.64.i.2.i.i.i
-  %.46.i.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.2.i.i.i
-  %.52.i.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.2.i.i.i
-  %.70.i.2.i.i.i = fsub contract double %.46.i.2.i.i.i, %.52.i.2.i.i.i
-  store double %.70.i.2.i.i.i, ptr %scevgep159.2.i.i.i, align 8, !noalias !215
-  store double %.80.i.2.i.i.i, ptr %scevgep160.2.i.i.i, align 8, !noalias !215
-  %.1169.1.1.2.i.i.i = load double, ptr %.890.i.i.i.i, align 8, !noalias !215
-  %.1171.1.1.2.i.i.i = load double, ptr %.893.i.i.i.i, align 8, !noalias !215
-  %.58.i.1.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.1.2.i.i.i
-  %.64.i.1.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.1.2.i.i.i
-  %.80.i.1.2.i.i.i = fadd contract double %.58.i.1.2.i.i.i, %.64.i.1.2.i.i.i
-  %.46.i.1.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.1.2.i.i.i
-  %.52.i.1.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.1.2.i.i.i
-  %.70.i.1.2.i.i.i = fsub contract double %.46.i.1.2.i.i.i, %.52.i.1.2.i.i.i
-  store double %.70.i.1.2.i.i.i, ptr %.890.i.i.i.i, align 8, !noalias !215
-  store double %.80.i.1.2.i.i.i, ptr %.893.i.i.i.i, align 8, !noalias !215
-  %.1169.1.3.i.i.i = load double, ptr %.1502.i.i.i.i, align 8, !noalias !215
-  %.1171.1.3.i.i.i = load double, ptr %.1505.i.i.i.i, align 8, !noalias !215
-  %.58.i.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.3.i.i.i
-  %.64.i.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.3.i.i.i
-  %.80.i.3.i.i.i = fadd contract double %.58.i.3.i.i.i, %.64.i.3.i.i.i
-  %.46.i.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.3.i.i.i
-  %.52.i.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.3.i.i.i
-  %.70.i.3.i.i.i = fsub contract double %.46.i.3.i.i.i, %.52.i.3.i.i.i
-  store double %.70.i.3.i.i.i, ptr %.1502.i.i.i.i, align 8, !noalias !215
-  store double %.80.i.3.i.i.i, ptr %.1505.i.i.i.i, align 8, !noalias !215
-  %.1169.1.1.3.i.i.i = load double, ptr %scevgep157.3.i.i.i, align 8, !noalias !215
-  %.1171.1.1.3.i.i.i = load double, ptr %scevgep158.3.i.i.i, align 8, !noalias !215
-  %.58.i.1.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.1.3.i.i.i
-  %.64.i.1.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.1.3.i.i.i
-  %.80.i.1.3.i.i.i = fadd contract double %.58.i.1.3.i.i.i, %.64.i.1.3.i.i.i
-  %.46.i.1.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.1.3.i.i.i
-  %.52.i.1.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.1.3.i.i.i
-  %.70.i.1.3.i.i.i = fsub contract double %.46.i.1.3.i.i.i, %.52.i.1.3.i.i.i
-  store double %.70.i.1.3.i.i.i, ptr %scevgep157.3.i.i.i, align 8, !noalias !215
-  store double %.80.i.1.3.i.i.i, ptr %scevgep158.3.i.i.i, align 8, !noalias !215
-  %.1169.1.4.i.i.i = load double, ptr %.1947.i.i.i.i, align 8, !noalias !215
-  %.1171.1.4.i.i.i = load double, ptr %.1950.i.i.i.i, align 8, !noalias !215
-  %.58.i.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.4.i.i.i
-  %.64.i.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.4.i.i.i
-  %.80.i.4.i.i.i = fadd contract double %.58.i.4.i.i.i, %.64.i.4.i.i.i
-  %.46.i.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.4.i.i.i
-  %.52.i.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.4.i.i.i
-  %.70.i.4.i.i.i = fsub contract double %.46.i.4.i.i.i, %.52.i.4.i.i.i
-  store double %.70.i.4.i.i.i, ptr %.1947.i.i.i.i, align 8, !noalias !215
-  store double %.80.i.4.i.i.i, ptr %.1950.i.i.i.i, align 8, !noalias !215
-  %.1169.1.1.4.i.i.i = load double, ptr %.3047.i.i.i.i, align 8, !noalias !215
-  %.1171.1.1.4.i.i.i = load double, ptr %.3050.i.i.i.i, align 8, !noalias !215
-  %.58.i.1.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.1.4.i.i.i
-  %.64.i.1.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.1.4.i.i.i
-  %.80.i.1.4.i.i.i = fadd contract double %.58.i.1.4.i.i.i, %.64.i.1.4.i.i.i
-  %.46.i.1.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.1.4.i.i.i
-  %.52.i.1.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.1.4.i.i.i
-  %.70.i.1.4.i.i.i = fsub contract double %.46.i.1.4.i.i.i, %.52.i.1.4.i.i.i
-  store double %.70.i.1.4.i.i.i, ptr %.3047.i.i.i.i, align 8, !noalias !215
-  store double %.80.i.1.4.i.i.i, ptr %.3050.i.i.i.i, align 8, !noalias !215
-  %.1169.1.5.i.i.i = load double, ptr %.4246.i.i.i.i, align 8, !noalias !215
-  %.1171.1.5.i.i.i = load double, ptr %.4249.i.i.i.i, align 8, !noalias !215
-  %.58.i.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.5.i.i.i
-  %.64.i.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.5.i.i.i
-  %.80.i.5.i.i.i = fadd contract double %.58.i.5.i.i.i, %.64.i.5.i.i.i
-  %.46.i.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.5.i.i.i
-  %.52.i.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.5.i.i.i
-  %.70.i.5.i.i.i = fsub contract double %.46.i.5.i.i.i, %.52.i.5.i.i.i
-  store double %.70.i.5.i.i.i, ptr %.4246.i.i.i.i, align 8, !noalias !215
-  store double %.80.i.5.i.i.i, ptr %.4249.i.i.i.i, align 8, !noalias !215
-  %.1169.1.1.5.i.i.i = load double, ptr %.4963.i.i.i.i, align 8, !noalias !215
-  %.1171.1.1.5.i.i.i = load double, ptr %.4966.i.i.i.i, align 8, !noalias !215
-  %.58.i.1.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.1.5.i.i.i
-  %.64.i.1.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.1.5.i.i.i
-  %.80.i.1.5.i.i.i = fadd contract double %.58.i.1.5.i.i.i, %.64.i.1.5.i.i.i
-  %.46.i.1.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.1.5.i.i.i
-  %.52.i.1.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.1.5.i.i.i
-  %.70.i.1.5.i.i.i = fsub contract double %.46.i.1.5.i.i.i, %.52.i.1.5.i.i.i
-  store double %.70.i.1.5.i.i.i, ptr %.4963.i.i.i.i, align 8, !noalias !215
-  store double %.80.i.1.5.i.i.i, ptr %.4966.i.i.i.i, align 8, !noalias !215
-  %.1169.1.6.i.i.i = load double, ptr %scevgep159.6.i.i.i, align 8, !noalias !215
-  %.1171.1.6.i.i.i = load double, ptr %scevgep160.6.i.i.i, align 8, !noalias !215
-  %.58.i.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.6.i.i.i
-  %.64.i.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.6.i.i.i
-  %.80.i.6.i.i.i = fadd contract double %.58.i.6.i.i.i, %.64.i.6.i.i.i
-  %.46.i.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.6.i.i.i
-  %.52.i.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.6.i.i.i
-  %.70.i.6.i.i.i = fsub contract double %.46.i.6.i.i.i, %.52.i.6.i.i.i
-  store double %.70.i.6.i.i.i, ptr %scevgep159.6.i.i.i, align 8, !noalias !215
-  store double %.80.i.6.i.i.i, ptr %scevgep160.6.i.i.i, align 8, !noalias !215
-  %.1169.1.1.6.i.i.i = load double, ptr %scevgep157.6.i.i.i, align 8, !noalias !215
-  %.1171.1.1.6.i.i.i = load double, ptr %scevgep158.6.i.i.i, align 8, !noalias !215
-  %.58.i.1.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.1.6.i.i.i
-  %.64.i.1.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.1.6.i.i.i
-  %.80.i.1.6.i.i.i = fadd contract double %.58.i.1.6.i.i.i, %.64.i.1.6.i.i.i
-  %.46.i.1.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.1.6.i.i.i
-  %.52.i.1.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.1.6.i.i.i
-  %.70.i.1.6.i.i.i = fsub contract double %.46.i.1.6.i.i.i, %.52.i.1.6.i.i.i
-  store double %.70.i.1.6.i.i.i, ptr %scevgep157.6.i.i.i, align 8, !noalias !215
-  store double %.80.i.1.6.i.i.i, ptr %scevgep158.6.i.i.i, align 8, !noalias !215
-  %.1169.1.7.i.i.i = load double, ptr %scevgep159.7.i.i.i, align 8, !noalias !215
-  %.1171.1.7.i.i.i = load double, ptr %scevgep160.7.i.i.i, align 8, !noalias !215
-  %.58.i.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.7.i.i.i
-  %.64.i.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.7.i.i.i
-  %.80.i.7.i.i.i = fadd contract double %.58.i.7.i.i.i, %.64.i.7.i.i.i
-  %.46.i.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.7.i.i.i
-  %.52.i.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.7.i.i.i
-  %.70.i.7.i.i.i = fsub contract double %.46.i.7.i.i.i, %.52.i.7.i.i.i
-  store double %.70.i.7.i.i.i, ptr %scevgep159.7.i.i.i, align 8, !noalias !215
-  store double %.80.i.7.i.i.i, ptr %scevgep160.7.i.i.i, align 8, !noalias !215
-  %.1169.1.1.7.i.i.i = load double, ptr %scevgep157.7.i.i.i, align 8, !noalias !215
-  %.1171.1.1.7.i.i.i = load double, ptr %scevgep158.7.i.i.i, align 8, !noalias !215
-  %.58.i.1.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.1.1.7.i.i.i
-  %.64.i.1.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.1.1.7.i.i.i
-  %.80.i.1.7.i.i.i = fadd contract double %.58.i.1.7.i.i.i, %.64.i.1.7.i.i.i
-  %.46.i.1.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.1.1.7.i.i.i
-  %.52.i.1.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.1.1.7.i.i.i
-  %.70.i.1.7.i.i.i = fsub contract double %.46.i.1.7.i.i.i, %.52.i.1.7.i.i.i
-  store double %.70.i.1.7.i.i.i, ptr %scevgep157.7.i.i.i, align 8, !noalias !215
-  store double %.80.i.1.7.i.i.i, ptr %scevgep158.7.i.i.i, align 8, !noalias !215
-  %.1169.2.i.i.i = load double, ptr %434, align 8, !noalias !215
-  %.1171.2.i.i.i = load double, ptr %scevgep151.i.i.i, align 8, !noalias !215
-  %.58.i10.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.i.i.i
-  %.64.i11.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.i.i.i
-  %.80.i12.i.i.i = fadd contract double %.58.i10.i.i.i, %.64.i11.i.i.i
-  %.46.i13.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.i.i.i
-  %.52.i14.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.i.i.i
-  %.70.i15.i.i.i = fsub contract double %.46.i13.i.i.i, %.52.i14.i.i.i
-  store double %.70.i15.i.i.i, ptr %434, align 8, !noalias !215
-  store double %.80.i12.i.i.i, ptr %scevgep151.i.i.i, align 8, !noalias !215
-  %.1169.2.1.i.i.i = load double, ptr %scevgep148.i.i.i, align 8, !noalias !215
-  %.1171.2.1.i.i.i = load double, ptr %scevgep.i.i.i445, align 8, !noalias !215
-  %.58.i10.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.1.i.i.i
-  %.64.i11.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.1.i.i.i
-  %.80.i12.1.i.i.i = fadd contract double %.58.i10.1.i.i.i, %.64.i11.1.i.i.i
-  %.46.i13.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.1.i.i.i
-  %.52.i14.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.1.i.i.i
-  %.70.i15.1.i.i.i = fsub contract double %.46.i13.1.i.i.i, %.52.i14.1.i.i.i
-  store double %.70.i15.1.i.i.i, ptr %scevgep148.i.i.i, align 8, !noalias !215
-  store double %.80.i12.1.i.i.i, ptr %scevgep.i.i.i445, align 8, !noalias !215
-  %.1169.2.136.i.i.i = load double, ptr %scevgep150.1.i.i.i, align 8, !noalias !215
-  %.1171.2.137.i.i.i = load double, ptr %scevgep151.1.i.i.i, align 8, !noalias !215
-  %.58.i10.138.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.136.i.i.i
-  %.64.i11.139.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.137.i.i.i
-  %.80.i12.140.i.i.i = fadd contract double %.58.i10.138.i.i.i, %.64.i11.139.i.i.i
-  %.46.i13.141.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.136.i.i.i
-  %.52.i14.142.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.137.i.i.i
-  %.70.i15.143.i.i.i = fsub contract double %.46.i13.141.i.i.i, %.52.i14.142.i.i.i
-  store double %.70.i15.143.i.i.i, ptr %scevgep150.1.i.i.i, align 8, !noalias !215
-  store double %.80.i12.140.i.i.i, ptr %scevgep151.1.i.i.i, align 8, !noalias !215
-  %.1169.2.1.1.i.i.i = load double, ptr %scevgep148.1.i.i.i, align 8, !noalias !215
-  %.1171.2.1.1.i.i.i = load double, ptr %scevgep149.1.i.i.i, align 8, !noalias !215
-  %.58.i10.1.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.1.1.i.i.i
-  %.64.i11.1.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.1.1.i.i.i
-  %.80.i12.1.1.i.i.i = fadd contract double %.58.i10.1.1.i.i.i, %.64.i11.1.1.i.i.i
-  %.46.i13.1.1.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.1.1.i.i.i
-  %.52.i14.1.1.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.1.1.i.i.i
-  %.70.i15.1.1.i.i.i = fsub contract double %.46.i13.1.1.i.i.i, %.52.i14.1.1.i.i.i
-  store double %.70.i15.1.1.i.i.i, ptr %scevgep148.1.i.i.i, align 8, !noalias !215
-  store double %.80.i12.1.1.i.i.i, ptr %scevgep149.1.i.i.i, align 8, !noalias !215
-  %.1169.2.2.i.i.i = load double, ptr %scevgep150.2.i.i.i, align 8, !noalias !215
-  %.1171.2.2.i.i.i = load double, ptr %scevgep151.2.i.i.i, align 8, !noalias !215
-  %.58.i10.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.2.i.i.i
-  %.64.i11.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.2.i.i.i
-  %.80.i12.2.i.i.i = fadd contract double %.58.i10.2.i.i.i, %.64.i11.2.i.i.i
-  %.46.i13.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.2.i.i.i
-  %.52.i14.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.2.i.i.i
-  %.70.i15.2.i.i.i = fsub contract double %.46.i13.2.i.i.i, %.52.i14.2.i.i.i
-  store double %.70.i15.2.i.i.i, ptr %scevgep150.2.i.i.i, align 8, !noalias !215
-  store double %.80.i12.2.i.i.i, ptr %scevgep151.2.i.i.i, align 8, !noalias !215
-  %.1169.2.1.2.i.i.i = load double, ptr %scevgep148.2.i.i.i, align 8, !noalias !215
-  %.1171.2.1.2.i.i.i = load double, ptr %scevgep149.2.i.i.i, align 8, !noalias !215
-  %.58.i10.1.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.1.2.i.i.i
-  %.64.i11.1.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.1.2.i.i.i
-  %.80.i12.1.2.i.i.i = fadd contract double %.58.i10.1.2.i.i.i, %.64.i11.1.2.i.i.i
-  %.46.i13.1.2.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.1.2.i.i.i
-  %.52.i14.1.2.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.1.2.i.i.i
-  %.70.i15.1.2.i.i.i = fsub contract double %.46.i13.1.2.i.i.i, %.52.i14.1.2.i.i.i
-  store double %.70.i15.1.2.i.i.i, ptr %scevgep148.2.i.i.i, align 8, !noalias !215
-  store double %.80.i12.1.2.i.i.i, ptr %scevgep149.2.i.i.i, align 8, !noalias !215
-  %.1169.2.3.i.i.i = load double, ptr %scevgep150.3.i.i.i, align 8, !noalias !215
-  %.1171.2.3.i.i.i = load double, ptr %scevgep151.3.i.i.i, align 8, !noalias !215
-  %.58.i10.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.3.i.i.i
-  %.64.i11.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.3.i.i.i
-  %.80.i12.3.i.i.i = fadd contract double %.58.i10.3.i.i.i, %.64.i11.3.i.i.i
-  %.46.i13.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.3.i.i.i
-  %.52.i14.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.3.i.i.i
-  %.70.i15.3.i.i.i = fsub contract double %.46.i13.3.i.i.i, %.52.i14.3.i.i.i
-  store double %.70.i15.3.i.i.i, ptr %scevgep150.3.i.i.i, align 8, !noalias !215
-  store double %.80.i12.3.i.i.i, ptr %scevgep151.3.i.i.i, align 8, !noalias !215
-  %.1169.2.1.3.i.i.i = load double, ptr %scevgep148.3.i.i.i, align 8, !noalias !215
-  %.1171.2.1.3.i.i.i = load double, ptr %scevgep149.3.i.i.i, align 8, !noalias !215
-  %.58.i10.1.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.1.3.i.i.i
-  %.64.i11.1.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.1.3.i.i.i
-  %.80.i12.1.3.i.i.i = fadd contract double %.58.i10.1.3.i.i.i, %.64.i11.1.3.i.i.i
-  %.46.i13.1.3.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.1.3.i.i.i
-  %.52.i14.1.3.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.1.3.i.i.i
-  %.70.i15.1.3.i.i.i = fsub contract double %.46.i13.1.3.i.i.i, %.52.i14.1.3.i.i.i
-  store double %.70.i15.1.3.i.i.i, ptr %scevgep148.3.i.i.i, align 8, !noalias !215
-  store double %.80.i12.1.3.i.i.i, ptr %scevgep149.3.i.i.i, align 8, !noalias !215
-  %.1169.2.4.i.i.i = load double, ptr %.2435.i.i.i.i, align 8, !noalias !215
-  %.1171.2.4.i.i.i = load double, ptr %.2438.i.i.i.i, align 8, !noalias !215
-  %.58.i10.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.4.i.i.i
-  %.64.i11.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.4.i.i.i
-  %.80.i12.4.i.i.i = fadd contract double %.58.i10.4.i.i.i, %.64.i11.4.i.i.i
-  %.46.i13.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.4.i.i.i
-  %.52.i14.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.4.i.i.i
-  %.70.i15.4.i.i.i = fsub contract double %.46.i13.4.i.i.i, %.52.i14.4.i.i.i
-  store double %.70.i15.4.i.i.i, ptr %.2435.i.i.i.i, align 8, !noalias !215
-  store double %.80.i12.4.i.i.i, ptr %.2438.i.i.i.i, align 8, !noalias !215
-  %.1169.2.1.4.i.i.i = load double, ptr %scevgep148.4.i.i.i, align 8, !noalias !215
-  %.1171.2.1.4.i.i.i = load double, ptr %scevgep149.4.i.i.i, align 8, !noalias !215
-  %.58.i10.1.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.1.4.i.i.i
-  %.64.i11.1.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.1.4.i.i.i
-  %.80.i12.1.4.i.i.i = fadd contract double %.58.i10.1.4.i.i.i, %.64.i11.1.4.i.i.i
-  %.46.i13.1.4.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.1.4.i.i.i
-  %.52.i14.1.4.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.1.4.i.i.i
-  %.70.i15.1.4.i.i.i = fsub contract double %.46.i13.1.4.i.i.i, %.52.i14.1.4.i.i.i
-  store double %.70.i15.1.4.i.i.i, ptr %scevgep148.4.i.i.i, align 8, !noalias !215
-  store double %.80.i12.1.4.i.i.i, ptr %scevgep149.4.i.i.i, align 8, !noalias !215
-  %.1169.2.5.i.i.i = load double, ptr %scevgep150.5.i.i.i, align 8, !noalias !215
-  %.1171.2.5.i.i.i = load double, ptr %scevgep151.5.i.i.i, align 8, !noalias !215
-  %.58.i10.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.5.i.i.i
-  %.64.i11.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.5.i.i.i
-  %.80.i12.5.i.i.i = fadd contract double %.58.i10.5.i.i.i, %.64.i11.5.i.i.i
-  %.46.i13.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.5.i.i.i
-  %.52.i14.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.5.i.i.i
-  %.70.i15.5.i.i.i = fsub contract double %.46.i13.5.i.i.i, %.52.i14.5.i.i.i
-  store double %.70.i15.5.i.i.i, ptr %scevgep150.5.i.i.i, align 8, !noalias !215
-  store double %.80.i12.5.i.i.i, ptr %scevgep151.5.i.i.i, align 8, !noalias !215
-  %.1169.2.1.5.i.i.i = load double, ptr %scevgep148.5.i.i.i, align 8, !noalias !215
-  %.1171.2.1.5.i.i.i = load double, ptr %scevgep149.5.i.i.i, align 8, !noalias !215
-  %.58.i10.1.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.1.5.i.i.i
-  %.64.i11.1.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.1.5.i.i.i
-  %.80.i12.1.5.i.i.i = fadd contract double %.58.i10.1.5.i.i.i, %.64.i11.1.5.i.i.i
-  %.46.i13.1.5.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.1.5.i.i.i
-  %.52.i14.1.5.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.1.5.i.i.i
-  %.70.i15.1.5.i.i.i = fsub contract double %.46.i13.1.5.i.i.i, %.52.i14.1.5.i.i.i
-  store double %.70.i15.1.5.i.i.i, ptr %scevgep148.5.i.i.i, align 8, !noalias !215
-  store double %.80.i12.1.5.i.i.i, ptr %scevgep149.5.i.i.i, align 8, !noalias !215
-  %.1169.2.6.i.i.i = load double, ptr %scevgep150.6.i.i.i, align 8, !noalias !215
-  %.1171.2.6.i.i.i = load double, ptr %scevgep151.6.i.i.i, align 8, !noalias !215
-  %.58.i10.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.6.i.i.i
-  %.64.i11.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.6.i.i.i
-  %.80.i12.6.i.i.i = fadd contract double %.58.i10.6.i.i.i, %.64.i11.6.i.i.i
-  %.46.i13.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.6.i.i.i
-  %.52.i14.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.6.i.i.i
-  %.70.i15.6.i.i.i = fsub contract double %.46.i13.6.i.i.i, %.52.i14.6.i.i.i
-  store double %.70.i15.6.i.i.i, ptr %scevgep150.6.i.i.i, align 8, !noalias !215
-  store double %.80.i12.6.i.i.i, ptr %scevgep151.6.i.i.i, align 8, !noalias !215
-  %.1169.2.1.6.i.i.i = load double, ptr %scevgep148.6.i.i.i, align 8, !noalias !215
-  %.1171.2.1.6.i.i.i = load double, ptr %scevgep149.6.i.i.i, align 8, !noalias !215
-  %.58.i10.1.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.1.6.i.i.i
-  %.64.i11.1.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.1.6.i.i.i
-  %.80.i12.1.6.i.i.i = fadd contract double %.58.i10.1.6.i.i.i, %.64.i11.1.6.i.i.i
-  %.46.i13.1.6.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.1.6.i.i.i
-  %.52.i14.1.6.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.1.6.i.i.i
-  %.70.i15.1.6.i.i.i = fsub contract double %.46.i13.1.6.i.i.i, %.52.i14.1.6.i.i.i
-  store double %.70.i15.1.6.i.i.i, ptr %scevgep148.6.i.i.i, align 8, !noalias !215
-  store double %.80.i12.1.6.i.i.i, ptr %scevgep149.6.i.i.i, align 8, !noalias !215
-  %.1169.2.7.i.i.i = load double, ptr %scevgep150.7.i.i.i, align 8, !noalias !215
-  %.1171.2.7.i.i.i = load double, ptr %scevgep151.7.i.i.i, align 8, !noalias !215
-  %.58.i10.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.7.i.i.i
-  %.64.i11.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.7.i.i.i
-  %.80.i12.7.i.i.i = fadd contract double %.58.i10.7.i.i.i, %.64.i11.7.i.i.i
-  %.46.i13.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.7.i.i.i
-  %.52.i14.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.7.i.i.i
-  %.70.i15.7.i.i.i = fsub contract double %.46.i13.7.i.i.i, %.52.i14.7.i.i.i
-  store double %.70.i15.7.i.i.i, ptr %scevgep150.7.i.i.i, align 8, !noalias !215
-  store double %.80.i12.7.i.i.i, ptr %scevgep151.7.i.i.i, align 8, !noalias !215
-  %.1169.2.1.7.i.i.i = load double, ptr %scevgep148.7.i.i.i, align 8, !noalias !215
-  %.1171.2.1.7.i.i.i = load double, ptr %scevgep149.7.i.i.i, align 8, !noalias !215
-  %.58.i10.1.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1169.2.1.7.i.i.i
-  %.64.i11.1.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1171.2.1.7.i.i.i
-  %.80.i12.1.7.i.i.i = fadd contract double %.58.i10.1.7.i.i.i, %.64.i11.1.7.i.i.i
-  %.46.i13.1.7.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i, %.1169.2.1.7.i.i.i
-  %.52.i14.1.7.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i, %.1171.2.1.7.i.i.i
-  %.70.i15.1.7.i.i.i = fsub contract double %.46.i13.1.7.i.i.i, %.52.i14.1.7.i.i.i
-  store double %.70.i15.1.7.i.i.i, ptr %scevgep148.7.i.i.i, align 8, !noalias !215
-  store double %.80.i12.1.7.i.i.i, ptr %scevgep149.7.i.i.i, align 8, !noalias !215
-  br label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i
+  %.45.i82.i.i.i = tail call contract double @llvm.fabs.f64(double %.70.i.i.i.i)
+  %.50.i83.i.i.i = tail call contract double @llvm.fabs.f64(double %.80.i.i.i.i)
+  %.56.i84.i.i.i = fcmp contract ult double %.45.i82.i.i.i, %.50.i83.i.i.i
+  br i1 %.56.i84.i.i.i, label %B270.i106.i.i.i, label %B132.i85.i.i.i
 
-_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i: ; preds = %B576.if.i.i.i, %B282.endif.i102.i.i.i, %B174.endif.i79.i.i.i, %B282.i100.i.i.i, %B132.i77.i.i.i, %B282.endif.i219.i.i.i.i, %B174.endif.i196.i.i.i.i, %B282.i217.i.i.i.i, %B132.i194.i.i.i.i, %B282.endif.i.i.i.i.i, %B174.endif.i.i.i.i.i, %B282.i.i.i.i.i, %B132.i.i.i.i.i, %B282.endif.i45.i.i.i, %B174.endif.i22.i.i.i, %B282.i43.i.i.i, %B132.i20.i.i.i, %B282.endif.i.i.i.i, %B174.endif.i.i.i.i, %B282.i.i.i.i, %B132.i.i.i.i
-  %excinfo.5.1.i.i = phi ptr [ %excinfo.5.0.i.i, %B576.if.i.i.i ], [ null, %B174.endif.i196.i.i.i.i ], [ null, %B132.i20.i.i.i ], [ null, %B132.i.i.i.i ], [ null, %B282.endif.i.i.i.i ], [ null, %B282.i.i.i.i ], [ null, %B174.endif.i.i.i.i ], [ null, %B282.endif.i45.i.i.i ], [ null, %B282.i43.i.i.i ], [ null, %B174.endif.i22.i.i.i ], [ null, %B132.i194.i.i.i.i ], [ null, %B132.i.i.i.i.i ], [ null, %B282.endif.i.i.i.i.i ], [ null, %B282.i.i.i.i.i ], [ null, %B174.endif.i.i.i.i.i ], [ null, %B282.endif.i219.i.i.i.i ], [ null, %B282.i217.i.i.i.i ], [ null, %B282.endif.i102.i.i.i ], [ null, %B282.i100.i.i.i ], [ null, %B174.endif.i79.i.i.i ], [ null, %B132.i77.i.i.i ]
-  %cond.i.i = phi i1 [ true, %B576.if.i.i.i ], [ false, %B174.endif.i196.i.i.i.i ], [ false, %B132.i20.i.i.i ], [ false, %B132.i.i.i.i ], [ false, %B282.endif.i.i.i.i ], [ false, %B282.i.i.i.i ], [ false, %B174.endif.i.i.i.i ], [ false, %B282.endif.i45.i.i.i ], [ false, %B282.i43.i.i.i ], [ false, %B174.endif.i22.i.i.i ], [ false, %B132.i194.i.i.i.i ], [ false, %B132.i.i.i.i.i ], [ false, %B282.endif.i.i.i.i.i ], [ false, %B282.i.i.i.i.i ], [ false, %B174.endif.i.i.i.i.i ], [ false, %B282.endif.i219.i.i.i.i ], [ false, %B282.i217.i.i.i.i ], [ false, %B282.endif.i102.i.i.i ], [ false, %B282.i100.i.i.i ], [ false, %B174.endif.i79.i.i.i ], [ false, %B132.i77.i.i.i ]
-  %common.ret.op.i.i.i = phi i32 [ 0, %B576.if.i.i.i ], [ 1, %B174.endif.i196.i.i.i.i ], [ 1, %B132.i20.i.i.i ], [ 1, %B132.i.i.i.i ], [ 1, %B282.endif.i.i.i.i ], [ 1, %B282.i.i.i.i ], [ 1, %B174.endif.i.i.i.i ], [ 1, %B282.endif.i45.i.i.i ], [ 1, %B282.i43.i.i.i ], [ 1, %B174.endif.i22.i.i.i ], [ 1, %B132.i194.i.i.i.i ], [ 1, %B132.i.i.i.i.i ], [ 1, %B282.endif.i.i.i.i.i ], [ 1, %B282.i.i.i.i.i ], [ 1, %B174.endif.i.i.i.i.i ], [ 1, %B282.endif.i219.i.i.i.i ], [ 1, %B282.i217.i.i.i.i ], [ 1, %B282.endif.i102.i.i.i ], [ 1, %B282.i100.i.i.i ], [ 1, %B174.endif.i79.i.i.i ], [ 1, %B132.i77.i.i.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.568.i.i.i), !noalias !208
-  call void @llvm.lifetime.end.p0(ptr nonnull %.599.i.i.i), !noalias !208
-  call void @llvm.lifetime.end.p0(ptr nonnull %.632.i.i.i), !noalias !208
-  call void @llvm.lifetime.end.p0(ptr nonnull %.669.i.i.i434), !noalias !208
-  call void @llvm.lifetime.end.p0(ptr nonnull %.737.i.i.i436), !noalias !208
-  call void @llvm.lifetime.end.p0(ptr nonnull %.775.i.i.i), !noalias !208
-  br i1 %cond.i.i, label %B940.if.i.i, label %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, !prof !23
+B0.endif.i.i.i:                                   ; preds = %B282.endif.endif.i.i.i.i, %B174.endif.endif.i.i.i.i, %B270.i.i.i.i
+  %.91.sroa.4.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i ], [ %.171.i.i.i.i482, %B282.endif.endif.i.i.i.i ], [ %.117.i.i.i.i, %B174.endif.endif.i.i.i.i ]
+  %.91.sroa.0.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i ], [ %.159.i.i.i.i, %B282.endif.endif.i.i.i.i ], [ %.105.i.i.i.i, %B174.endif.endif.i.i.i.i ]
+  br i1 %.56.i.i.i.i, label %B270.i56.i.i.i, label %B132.i35.i.i.i
 
-B940.if.i.i:                                      ; preds = %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i
-  %scevgep167.i.i = getelementptr i8, ptr %scevgep.i.i443, i64 %lsr.iv.i.i447
-  %scevgep168.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -376
-  %.980.i.i = load double, ptr %.80.i1.i.i.i, align 8, !noalias !208
-  %.992.i.i = fdiv contract double %.980.i.i, 1.000000e-30
-  store double %.992.i.i, ptr %scevgep168.i.i, align 8, !noalias !208
-  %.980.1.i.i = load double, ptr %sunkaddr175.i.i.i, align 8, !noalias !208
-  %.992.1.i.i = fdiv contract double %.980.1.i.i, 1.000000e-30
-  %scevgep141.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -368
-  store double %.992.1.i.i, ptr %scevgep141.i.i, align 8, !noalias !208
-  %.980.2.i.i = load double, ptr %.225.i.i.i.i, align 8, !noalias !208
-  %.992.2.i.i = fdiv contract double %.980.2.i.i, 1.000000e-30
-  %scevgep138.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -360
-  store double %.992.2.i.i, ptr %scevgep138.i.i, align 8, !noalias !208
-  %.980.3.i.i = load double, ptr %.448.i.i.i.i, align 8, !noalias !208
-  %.992.3.i.i = fdiv contract double %.980.3.i.i, 1.000000e-30
-  %scevgep135.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -352
-  store double %.992.3.i.i, ptr %scevgep135.i.i, align 8, !noalias !208
-  %.980.4.i.i = load double, ptr %.591.i.i.i.i, align 8, !noalias !208
-  %.992.4.i.i = fdiv contract double %.980.4.i.i, 1.000000e-30
-  %scevgep132.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -344
-  store double %.992.4.i.i, ptr %scevgep132.i.i, align 8, !noalias !208
-  %.980.5.i.i = load double, ptr %sunkaddr175.2.i.i.i, align 8, !noalias !208
-  %.992.5.i.i = fdiv contract double %.980.5.i.i, 1.000000e-30
-  %scevgep129.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -336
-  store double %.992.5.i.i, ptr %scevgep129.i.i, align 8, !noalias !208
-  %.980.6.i.i = load double, ptr %.1114.i.i.i.i, align 8, !noalias !208
-  %.992.6.i.i = fdiv contract double %.980.6.i.i, 1.000000e-30
-  %scevgep125.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -328
-  store double %.992.6.i.i, ptr %scevgep125.i.i, align 8, !noalias !208
-  %.980.7.i.i = load double, ptr %.1648.i.i.i.i, align 8, !noalias !208
-  %.992.7.i.i = fdiv contract double %.980.7.i.i, 1.000000e-30
-  %scevgep122.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -320
-  store double %.992.7.i.i, ptr %scevgep122.i.i, align 8, !noalias !208
-  %.980.8.i.i = load double, ptr %sunkaddr171.4.i.i.i, align 8, !noalias !208
-  %.992.8.i.i = fdiv contract double %.980.8.i.i, 1.000000e-30
-  %scevgep119.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -312
-  store double %.992.8.i.i, ptr %scevgep119.i.i, align 8, !noalias !208
-  %.980.9.i.i = load double, ptr %.2659.i.i.i.i, align 8, !noalias !208
-  %.992.9.i.i = fdiv contract double %.980.9.i.i, 1.000000e-30
-  %scevgep116.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -304
-  store double %.992.9.i.i, ptr %scevgep116.i.i, align 8, !noalias !208
-  %.980.10.i.i = load double, ptr %.3497.i.i.i.i, align 8, !noalias !208
-  %.992.10.i.i = fdiv contract double %.980.10.i.i, 1.000000e-30
-  %scevgep113.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -296
-  store double %.992.10.i.i, ptr %scevgep113.i.i, align 8, !noalias !208
-  %.980.11.i.i = load double, ptr %.4478.i.i.i.i, align 8, !noalias !208
-  %.992.11.i.i = fdiv contract double %.980.11.i.i, 1.000000e-30
-  %scevgep109.i.i473 = getelementptr i8, ptr %scevgep167.i.i, i64 -288
-  store double %.992.11.i.i, ptr %scevgep109.i.i473, align 8, !noalias !208
-  %.980.12.i.i = load double, ptr %sunkaddr171.6.i.i.i, align 8, !noalias !208
-  %.992.12.i.i = fdiv contract double %.980.12.i.i, 1.000000e-30
-  %scevgep106.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -280
-  store double %.992.12.i.i, ptr %scevgep106.i.i, align 8, !noalias !208
-  %.980.13.i.i = load double, ptr %sunkaddr175.6.i.i.i, align 8, !noalias !208
-  %.992.13.i.i = fdiv contract double %.980.13.i.i, 1.000000e-30
-  %scevgep103.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -272
-  store double %.992.13.i.i, ptr %scevgep103.i.i, align 8, !noalias !208
-  %.980.14.i.i = load double, ptr %sunkaddr171.7.i.i.i, align 8, !noalias !208
-  %.992.14.i.i = fdiv contract double %.980.14.i.i, 1.000000e-30
-  %scevgep100.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -264
-  store double %.992.14.i.i, ptr %scevgep100.i.i, align 8, !noalias !208
-  %.980.15.i.i = load double, ptr %sunkaddr175.7.i.i.i, align 8, !noalias !208
-  %.992.15.i.i = fdiv contract double %.980.15.i.i, 1.000000e-30
-  %scevgep95.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -256
-  store double %.992.15.i.i, ptr %scevgep95.i.i, align 8, !noalias !208
-  %.980.170.i.i = load double, ptr %scevgep160.i.i.i, align 8, !noalias !208
-  %.992.171.i.i = fdiv contract double %.980.170.i.i, 1.000000e-30
-  %scevgep97.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -248
-  store double %.992.171.i.i, ptr %scevgep97.i.i, align 8, !noalias !208
-  %.980.1.1.i.i = load double, ptr %scevgep152.i.i.i, align 8, !noalias !208
-  %.992.1.1.i.i = fdiv contract double %.980.1.1.i.i, 1.000000e-30
-  %scevgep92.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -240
-  store double %.992.1.1.i.i, ptr %scevgep92.i.i, align 8, !noalias !208
-  %.980.2.1.i.i = load double, ptr %scevgep160.1.i.i.i, align 8, !noalias !208
-  %.992.2.1.i.i = fdiv contract double %.980.2.1.i.i, 1.000000e-30
-  %scevgep89.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -232
-  store double %.992.2.1.i.i, ptr %scevgep89.i.i, align 8, !noalias !208
-  %.980.3.1.i.i = load double, ptr %scevgep158.1.i.i.i, align 8, !noalias !208
-  %.992.3.1.i.i = fdiv contract double %.980.3.1.i.i, 1.000000e-30
-  %scevgep86.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -224
-  store double %.992.3.1.i.i, ptr %scevgep86.i.i, align 8, !noalias !208
-  %.980.4.1.i.i = load double, ptr %scevgep160.2.i.i.i, align 8, !noalias !208
-  %.992.4.1.i.i = fdiv contract double %.980.4.1.i.i, 1.000000e-30
-  %scevgep83.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -216
-  store double %.992.4.1.i.i, ptr %scevgep83.i.i, align 8, !noalias !208
-  %.980.5.1.i.i = load double, ptr %.893.i.i.i.i, align 8, !noalias !208
-  %.992.5.1.i.i = fdiv contract double %.980.5.1.i.i, 1.000000e-30
-  %scevgep80.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -208
-  store double %.992.5.1.i.i, ptr %scevgep80.i.i, align 8, !noalias !208
-  %.980.6.1.i.i = load double, ptr %.1505.i.i.i.i, align 8, !noalias !208
-  %.992.6.1.i.i = fdiv contract double %.980.6.1.i.i, 1.000000e-30
-  %scevgep77.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -200
-  store double %.992.6.1.i.i, ptr %scevgep77.i.i, align 8, !noalias !208
-  %.980.7.1.i.i = load double, ptr %scevgep158.3.i.i.i, align 8, !noalias !208
-  %.992.7.1.i.i = fdiv contract double %.980.7.1.i.i, 1.000000e-30
-  %scevgep74.i.i474 = getelementptr i8, ptr %scevgep167.i.i, i64 -192
-  store double %.992.7.1.i.i, ptr %scevgep74.i.i474, align 8, !noalias !208
-  %.980.8.1.i.i = load double, ptr %.1950.i.i.i.i, align 8, !noalias !208
-  %.992.8.1.i.i = fdiv contract double %.980.8.1.i.i, 1.000000e-30
-  %scevgep71.i.i475 = getelementptr i8, ptr %scevgep167.i.i, i64 -184
-  store double %.992.8.1.i.i, ptr %scevgep71.i.i475, align 8, !noalias !208
-  %.980.9.1.i.i = load double, ptr %.3050.i.i.i.i, align 8, !noalias !208
-  %.992.9.1.i.i = fdiv contract double %.980.9.1.i.i, 1.000000e-30
-  %scevgep68.i.i476 = getelementptr i8, ptr %scevgep167.i.i, i64 -176
-  store double %.992.9.1.i.i, ptr %scevgep68.i.i476, align 8, !noalias !208
-  %.980.10.1.i.i = load double, ptr %.4249.i.i.i.i, align 8, !noalias !208
-  %.992.10.1.i.i = fdiv contract double %.980.10.1.i.i, 1.000000e-30
-  %scevgep65.i.i477 = getelementptr i8, ptr %scevgep167.i.i, i64 -168
-  store double %.992.10.1.i.i, ptr %scevgep65.i.i477, align 8, !noalias !208
-  %.980.11.1.i.i = load double, ptr %.4966.i.i.i.i, align 8, !noalias !208
-  %.992.11.1.i.i = fdiv contract double %.980.11.1.i.i, 1.000000e-30
-  %scevgep63.i.i478 = getelementptr i8, ptr %scevgep167.i.i, i64 -160
-  store double %.992.11.1.i.i, ptr %scevgep63.i.i478, align 8, !noalias !208
-  %.980.12.1.i.i = load double, ptr %scevgep160.6.i.i.i, align 8, !noalias !208
-  %.992.12.1.i.i = fdiv contract double %.980.12.1.i.i, 1.000000e-30
-  %scevgep60.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -152
-  store double %.992.12.1.i.i, ptr %scevgep60.i.i, align 8, !noalias !208
-  %.980.13.1.i.i = load double, ptr %scevgep158.6.i.i.i, align 8, !noalias !208
-  %.992.13.1.i.i = fdiv contract double %.980.13.1.i.i, 1.000000e-30
-  %scevgep57.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -144
-  store double %.992.13.1.i.i, ptr %scevgep57.i.i, align 8, !noalias !208
-  %.980.14.1.i.i = load double, ptr %scevgep160.7.i.i.i, align 8, !noalias !208
-  %.992.14.1.i.i = fdiv contract double %.980.14.1.i.i, 1.000000e-30
-  %scevgep53.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -136
-  store double %.992.14.1.i.i, ptr %scevgep53.i.i, align 8, !noalias !208
-  %.980.15.1.i.i = load double, ptr %scevgep158.7.i.i.i, align 8, !noalias !208
-  %.992.15.1.i.i = fdiv contract double %.980.15.1.i.i, 1.000000e-30
-  %scevgep49.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -128
-  store double %.992.15.1.i.i, ptr %scevgep49.i.i, align 8, !noalias !208
-  %.980.273.i.i = load double, ptr %scevgep151.i.i.i, align 8, !noalias !208
-  %.992.274.i.i = fdiv contract double %.980.273.i.i, 1.000000e-30
-  %scevgep50.i.i479 = getelementptr i8, ptr %scevgep167.i.i, i64 -120
-  store double %.992.274.i.i, ptr %scevgep50.i.i479, align 8, !noalias !208
-  %.980.1.2.i.i = load double, ptr %scevgep.i.i.i445, align 8, !noalias !208
-  %.992.1.2.i.i = fdiv contract double %.980.1.2.i.i, 1.000000e-30
-  %scevgep46.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -112
-  store double %.992.1.2.i.i, ptr %scevgep46.i.i, align 8, !noalias !208
-  %.980.2.2.i.i = load double, ptr %scevgep151.1.i.i.i, align 8, !noalias !208
-  %.992.2.2.i.i = fdiv contract double %.980.2.2.i.i, 1.000000e-30
-  %scevgep43.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -104
-  store double %.992.2.2.i.i, ptr %scevgep43.i.i, align 8, !noalias !208
-  %.980.3.2.i.i = load double, ptr %scevgep149.1.i.i.i, align 8, !noalias !208
-  %.992.3.2.i.i = fdiv contract double %.980.3.2.i.i, 1.000000e-30
-  %scevgep40.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -96
-  store double %.992.3.2.i.i, ptr %scevgep40.i.i, align 8, !noalias !208
-  %.980.4.2.i.i = load double, ptr %scevgep151.2.i.i.i, align 8, !noalias !208
-  %.992.4.2.i.i = fdiv contract double %.980.4.2.i.i, 1.000000e-30
-  %scevgep37.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -88
-  store double %.992.4.2.i.i, ptr %scevgep37.i.i, align 8, !noalias !208
-  %.980.5.2.i.i = load double, ptr %scevgep149.2.i.i.i, align 8, !noalias !208
-  %.992.5.2.i.i = fdiv contract double %.980.5.2.i.i, 1.000000e-30
-  %scevgep35.i.i480 = getelementptr i8, ptr %scevgep167.i.i, i64 -80
-  store double %.992.5.2.i.i, ptr %scevgep35.i.i480, align 8, !noalias !208
-  %.980.6.2.i.i = load double, ptr %scevgep151.3.i.i.i, align 8, !noalias !208
-  %.992.6.2.i.i = fdiv contract double %.980.6.2.i.i, 1.000000e-30
-  %scevgep32.i.i481 = getelementptr i8, ptr %scevgep167.i.i, i64 -72
-  store double %.992.6.2.i.i, ptr %scevgep32.i.i481, align 8, !noalias !208
-  %.980.7.2.i.i = load double, ptr %scevgep149.3.i.i.i, align 8, !noalias !208
-  %.992.7.2.i.i = fdiv contract double %.980.7.2.i.i, 1.000000e-30
-  %scevgep29.i.i482 = getelementptr i8, ptr %scevgep167.i.i, i64 -64
-  store double %.992.7.2.i.i, ptr %scevgep29.i.i482, align 8, !noalias !208
-  %.980.8.2.i.i = load double, ptr %.2438.i.i.i.i, align 8, !noalias !208
-  %.992.8.2.i.i = fdiv contract double %.980.8.2.i.i, 1.000000e-30
-  %scevgep26.i.i483 = getelementptr i8, ptr %scevgep167.i.i, i64 -56
-  store double %.992.8.2.i.i, ptr %scevgep26.i.i483, align 8, !noalias !208
-  %.980.9.2.i.i = load double, ptr %scevgep149.4.i.i.i, align 8, !noalias !208
-  %.992.9.2.i.i = fdiv contract double %.980.9.2.i.i, 1.000000e-30
-  %scevgep23.i.i484 = getelementptr i8, ptr %scevgep167.i.i, i64 -48
-  store double %.992.9.2.i.i, ptr %scevgep23.i.i484, align 8, !noalias !208
-  %.980.10.2.i.i = load double, ptr %scevgep151.5.i.i.i, align 8, !noalias !208
-  %.992.10.2.i.i = fdiv contract double %.980.10.2.i.i, 1.000000e-30
-  %scevgep20.i.i485 = getelementptr i8, ptr %scevgep167.i.i, i64 -40
-  store double %.992.10.2.i.i, ptr %scevgep20.i.i485, align 8, !noalias !208
-  %.980.11.2.i.i = load double, ptr %scevgep149.5.i.i.i, align 8, !noalias !208
-  %.992.11.2.i.i = fdiv contract double %.980.11.2.i.i, 1.000000e-30
-  %scevgep17.i.i486 = getelementptr i8, ptr %scevgep167.i.i, i64 -32
-  store double %.992.11.2.i.i, ptr %scevgep17.i.i486, align 8, !noalias !208
-  %.980.12.2.i.i = load double, ptr %scevgep151.6.i.i.i, align 8, !noalias !208
-  %.992.12.2.i.i = fdiv contract double %.980.12.2.i.i, 1.000000e-30
-  %scevgep14.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -24
-  store double %.992.12.2.i.i, ptr %scevgep14.i.i, align 8, !noalias !208
-  %.980.13.2.i.i = load double, ptr %scevgep149.6.i.i.i, align 8, !noalias !208
-  %.992.13.2.i.i = fdiv contract double %.980.13.2.i.i, 1.000000e-30
-  %scevgep11.i.i487 = getelementptr i8, ptr %scevgep167.i.i, i64 -16
-  store double %.992.13.2.i.i, ptr %scevgep11.i.i487, align 8, !noalias !208
-  %.980.14.2.i.i = load double, ptr %scevgep151.7.i.i.i, align 8, !noalias !208
-  %.992.14.2.i.i = fdiv contract double %.980.14.2.i.i, 1.000000e-30
-  %scevgep8.i.i = getelementptr i8, ptr %scevgep167.i.i, i64 -8
-  store double %.992.14.2.i.i, ptr %scevgep8.i.i, align 8, !noalias !208
-  %.980.15.2.i.i = load double, ptr %scevgep149.7.i.i.i, align 8, !noalias !208
-  %.992.15.2.i.i = fdiv contract double %.980.15.2.i.i, 1.000000e-30
-  store double %.992.15.2.i.i, ptr %scevgep167.i.i, align 8, !noalias !208
-  %lsr.iv.next.i.i488 = add nuw nsw i64 %lsr.iv.i.i447, 384
-  %exitcond318.not.i.i = icmp eq i64 %lsr.iv.next.i.i488, 1920
-  br i1 %exitcond318.not.i.i, label %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B238.if.i.i446
+B132.i35.i.i.i:                                   ; preds = %B0.endif.i.i.i
+  %.59.i36.i.i.i = fcmp contract oeq double %.84.i.i.i, 0.000000e+00
+  br i1 %.59.i36.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.i37.i.i.i, !prof !219
 
-_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B940.if.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i
-  %excinfo.3.0.i = phi ptr [ null, %B940.if.i.i ], [ %excinfo.5.1.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i ]
-  %common.ret.op.i.i = phi i32 [ 0, %B940.if.i.i ], [ %common.ret.op.i.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i ]
-  %cond1.i455 = icmp eq i32 %common.ret.op.i.i, 0
-  br i1 %cond1.i455, label %B0.endif.endif.endif.i, label %_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, !prof !23
+B270.i56.i.i.i:                                   ; preds = %B0.endif.i.i.i
+  %.132.i57.i.i.i = fcmp contract ult double %..i.i, %.45.i.i.i.i
+  br i1 %.132.i57.i.i.i, label %B0.endif.endif.i.i.i, label %B282.i58.i.i.i
+
+B282.i58.i.i.i:                                   ; preds = %B270.i56.i.i.i
+  %.136.i59.i.i.i = fcmp contract oeq double %..i.i, 0.000000e+00
+  br i1 %.136.i59.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.i60.i.i.i, !prof !220
+
+B174.endif.i37.i.i.i:                             ; preds = %B132.i35.i.i.i
+  %.89.i38.i.i.i = fdiv contract double %..i.i, %.84.i.i.i
+  %.91.i39.i.i.i = fmul contract double %..i.i, %.89.i38.i.i.i
+  %.93.i40.i.i.i = fadd contract double %.84.i.i.i, %.91.i39.i.i.i
+  %.98.i41.i.i.i = fcmp contract oeq double %.93.i40.i.i.i, 0.000000e+00
+  br i1 %.98.i41.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i42.i.i.i, !prof !220
+
+B174.endif.endif.i42.i.i.i:                       ; preds = %B174.endif.i37.i.i.i
+  %.95.i43.i.i.i = fmul contract double %.89.i38.i.i.i, 0.000000e+00
+  %.97.i44.i.i.i = fadd contract double %.95.i43.i.i.i, 1.000000e+00
+  %.105.i45.i.i.i = fdiv contract double %.97.i44.i.i.i, %.93.i40.i.i.i
+  %.109.i47.i.i.i = fsub contract double 0.000000e+00, %.89.i38.i.i.i
+  %.117.i48.i.i.i = fdiv contract double %.109.i47.i.i.i, %.93.i40.i.i.i
+  br label %B0.endif.endif.i.i.i
+
+B282.endif.i60.i.i.i:                             ; preds = %B282.i58.i.i.i
+  %.143.i61.i.i.i = fdiv contract double %.84.i.i.i, %..i.i
+  %.145.i62.i.i.i = fmul contract double %.84.i.i.i, %.143.i61.i.i.i
+  %.147.i63.i.i.i = fadd contract double %..i.i, %.145.i62.i.i.i
+  %.152.i64.i.i.i = fcmp contract oeq double %.147.i63.i.i.i, 0.000000e+00
+  br i1 %.152.i64.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i65.i.i.i, !prof !220
+
+B282.endif.endif.i65.i.i.i:                       ; preds = %B282.endif.i60.i.i.i
+  %.151.i67.i.i.i = fadd contract double %.143.i61.i.i.i, 0.000000e+00
+  %.159.i68.i.i.i = fdiv contract double %.151.i67.i.i.i, %.147.i63.i.i.i
+  %.161.i69.i.i.i = fmul contract double %.143.i61.i.i.i, 0.000000e+00
+  %.163.i70.i.i.i = fadd contract double %.161.i69.i.i.i, -1.000000e+00
+  %.171.i71.i.i.i = fdiv contract double %.163.i70.i.i.i, %.147.i63.i.i.i
+  br label %B0.endif.endif.i.i.i
+
+B0.endif.endif.i.i.i:                             ; preds = %B282.endif.endif.i65.i.i.i, %B174.endif.endif.i42.i.i.i, %B270.i56.i.i.i
+  %.164.sroa.4.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i56.i.i.i ], [ %.171.i71.i.i.i, %B282.endif.endif.i65.i.i.i ], [ %.117.i48.i.i.i, %B174.endif.endif.i42.i.i.i ]
+  %.164.sroa.0.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i56.i.i.i ], [ %.159.i68.i.i.i, %B282.endif.endif.i65.i.i.i ], [ %.105.i45.i.i.i, %B174.endif.endif.i42.i.i.i ]
+  %.58.i75.i.i.i = fmul contract double %.91.sroa.0.0.i.i.i, %.164.sroa.4.0.i.i.i
+  %.64.i76.i.i.i = fmul contract double %.91.sroa.4.0.i.i.i, %.164.sroa.0.0.i.i.i
+  %.80.i77.i.i.i = fadd contract double %.58.i75.i.i.i, %.64.i76.i.i.i
+  %.46.i78.i.i.i = fmul contract double %.91.sroa.0.0.i.i.i, %.164.sroa.0.0.i.i.i
+  %.52.i79.i.i.i = fmul contract double %.91.sroa.4.0.i.i.i, %.164.sroa.4.0.i.i.i
+  %.70.i80.i.i.i = fsub contract double %.46.i78.i.i.i, %.52.i79.i.i.i
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(768) %arg.state.10.0.4, i8 0, i64 768, i1 false), !noalias !215
+  %trunc.i.i = trunc nuw i64 %.326290306.i.i to i63
+  switch i63 %trunc.i.i, label %B364.i.i.i [
+    i63 0, label %B188.i.i.i
+    i63 3, label %B256.i.i.i
+    i63 4, label %B326.i.i.i
+  ]
+
+B132.i85.i.i.i:                                   ; preds = %B824.i.i.i
+  %.59.i86.i.i.i = fcmp contract oeq double %.70.i.i.i.i, 0.000000e+00
+  br i1 %.59.i86.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.i87.i.i.i, !prof !219
+
+B270.i106.i.i.i:                                  ; preds = %B824.i.i.i
+  %.132.i107.i.i.i = fcmp contract ult double %.50.i83.i.i.i, %.45.i82.i.i.i
+  br i1 %.132.i107.i.i.i, label %B924.if.i.i.i, label %B282.i108.i.i.i
+
+B282.i108.i.i.i:                                  ; preds = %B270.i106.i.i.i
+  %.136.i109.i.i.i = fcmp contract oeq double %.80.i.i.i.i, 0.000000e+00
+  br i1 %.136.i109.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.i110.i.i.i, !prof !220
+
+B174.endif.i87.i.i.i:                             ; preds = %B132.i85.i.i.i
+  %.89.i88.i.i.i = fdiv contract double %.80.i.i.i.i, %.70.i.i.i.i
+  %.91.i89.i.i.i = fmul contract double %.80.i.i.i.i, %.89.i88.i.i.i
+  %.93.i90.i.i.i = fadd contract double %.70.i.i.i.i, %.91.i89.i.i.i
+  %.98.i91.i.i.i = fcmp contract oeq double %.93.i90.i.i.i, 0.000000e+00
+  br i1 %.98.i91.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i92.i.i.i, !prof !220
+
+B174.endif.endif.i92.i.i.i:                       ; preds = %B174.endif.i87.i.i.i
+  %.95.i93.i.i.i = fmul contract double %.89.i88.i.i.i, 0.000000e+00
+  %.97.i94.i.i.i = fadd contract double %.95.i93.i.i.i, 3.000000e+00
+  %.105.i95.i.i.i = fdiv contract double %.97.i94.i.i.i, %.93.i90.i.i.i
+  %.107.i96.i.i.i = fmul contract double %.89.i88.i.i.i, 3.000000e+00
+  %.109.i97.i.i.i = fsub contract double 0.000000e+00, %.107.i96.i.i.i
+  %.117.i98.i.i.i = fdiv contract double %.109.i97.i.i.i, %.93.i90.i.i.i
+  br label %B924.if.i.i.i
+
+B282.endif.i110.i.i.i:                            ; preds = %B282.i108.i.i.i
+  %.143.i111.i.i.i = fdiv contract double %.70.i.i.i.i, %.80.i.i.i.i
+  %.145.i112.i.i.i = fmul contract double %.70.i.i.i.i, %.143.i111.i.i.i
+  %.147.i113.i.i.i = fadd contract double %.80.i.i.i.i, %.145.i112.i.i.i
+  %.152.i114.i.i.i = fcmp contract oeq double %.147.i113.i.i.i, 0.000000e+00
+  br i1 %.152.i114.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i115.i.i.i, !prof !220
+
+B282.endif.endif.i115.i.i.i:                      ; preds = %B282.endif.i110.i.i.i
+  %.149.i116.i.i.i = fmul contract double %.143.i111.i.i.i, 3.000000e+00
+  %.151.i117.i.i.i = fadd contract double %.149.i116.i.i.i, 0.000000e+00
+  %.159.i118.i.i.i = fdiv contract double %.151.i117.i.i.i, %.147.i113.i.i.i
+  %.161.i119.i.i.i = fmul contract double %.143.i111.i.i.i, 0.000000e+00
+  %.163.i120.i.i.i = fadd contract double %.161.i119.i.i.i, -3.000000e+00
+  %.171.i121.i.i.i = fdiv contract double %.163.i120.i.i.i, %.147.i113.i.i.i
+  br label %B924.if.i.i.i
+
+B924.if.i.i.i:                                    ; preds = %B282.endif.endif.i115.i.i.i, %B174.endif.endif.i92.i.i.i, %B270.i106.i.i.i
+  %.1045.sroa.0.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i106.i.i.i ], [ %.105.i95.i.i.i, %B174.endif.endif.i92.i.i.i ], [ %.159.i118.i.i.i, %B282.endif.endif.i115.i.i.i ]
+  %.1045.sroa.4.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i106.i.i.i ], [ %.117.i98.i.i.i, %B174.endif.endif.i92.i.i.i ], [ %.171.i121.i.i.i, %B282.endif.endif.i115.i.i.i ]
+  %.1364.i.i.i449 = load double, ptr %arg.state.10.0.4, align 8, !noalias !215
+  %.1366.i.i.i450 = load double, ptr %.80.i1.i.i.i, align 8, !noalias !215
+  %.58.i125.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.i.i.i449
+  %.64.i126.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.i.i.i450
+  %.80.i127.i.i.i = fadd contract double %.58.i125.i.i.i, %.64.i126.i.i.i
+  %.46.i128.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.i.i.i449
+  %.52.i129.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.i.i.i450
+  %.70.i130.i.i.i = fsub contract double %.46.i128.i.i.i, %.52.i129.i.i.i
+  store double %.70.i130.i.i.i, ptr %arg.state.10.0.4, align 8, !noalias !215
+  store double %.80.i127.i.i.i, ptr %.80.i1.i.i.i, align 8, !noalias !215
+  %.1364.1151.i.i.i = load double, ptr %sunkaddr183.i.i.i, align 8, !noalias !215
+  %.1366.1153.i.i.i = load double, ptr %sunkaddr185.i.i.i, align 8, !noalias !215
+  %.58.i125.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1151.i.i.i
+  %.64.i126.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1153.i.i.i
+  %.80.i127.1.i.i.i = fadd contract double %.58.i125.1.i.i.i, %.64.i126.1.i.i.i
+  %.46.i128.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1151.i.i.i
+  %.52.i129.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1153.i.i.i
+  %.70.i130.1.i.i.i = fsub contract double %.46.i128.1.i.i.i, %.52.i129.1.i.i.i
+  store double %.70.i130.1.i.i.i, ptr %sunkaddr183.i.i.i, align 8, !noalias !215
+  store double %.80.i127.1.i.i.i, ptr %sunkaddr185.i.i.i, align 8, !noalias !215
+  %.1364.142.i.i.i = load double, ptr %.222.i.i.i.i, align 8, !noalias !215
+  %.1366.143.i.i.i = load double, ptr %.225.i.i.i.i, align 8, !noalias !215
+  %.58.i125.144.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.142.i.i.i
+  %.64.i126.145.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.143.i.i.i
+  %.80.i127.146.i.i.i = fadd contract double %.58.i125.144.i.i.i, %.64.i126.145.i.i.i
+  %.46.i128.147.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.142.i.i.i
+  %.52.i129.148.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.143.i.i.i
+  %.70.i130.149.i.i.i = fsub contract double %.46.i128.147.i.i.i, %.52.i129.148.i.i.i
+  store double %.70.i130.149.i.i.i, ptr %.222.i.i.i.i, align 8, !noalias !215
+  store double %.80.i127.146.i.i.i, ptr %.225.i.i.i.i, align 8, !noalias !215
+  %.1364.1151.1.i.i.i = load double, ptr %.445.i.i.i.i, align 8, !noalias !215
+  %.1366.1153.1.i.i.i = load double, ptr %.448.i.i.i.i, align 8, !noalias !215
+  %.58.i125.1.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1151.1.i.i.i
+  %.64.i126.1.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1153.1.i.i.i
+  %.80.i127.1.1.i.i.i = fadd contract double %.58.i125.1.1.i.i.i, %.64.i126.1.1.i.i.i
+  %.46.i128.1.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1151.1.i.i.i
+  %.52.i129.1.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1153.1.i.i.i
+  %.70.i130.1.1.i.i.i = fsub contract double %.46.i128.1.1.i.i.i, %.52.i129.1.1.i.i.i
+  store double %.70.i130.1.1.i.i.i, ptr %.445.i.i.i.i, align 8, !noalias !215
+  store double %.80.i127.1.1.i.i.i, ptr %.448.i.i.i.i, align 8, !noalias !215
+  %.1364.251.i.i.i = load double, ptr %.588.i.i.i.i, align 8, !noalias !215
+  %.1366.252.i.i.i = load double, ptr %.591.i.i.i.i, align 8, !noalias !215
+  %.58.i125.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.251.i.i.i
+  %.64.i126.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.252.i.i.i
+  %.80.i127.2.i.i.i = fadd contract double %.58.i125.2.i.i.i, %.64.i126.2.i.i.i
+  %.46.i128.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.251.i.i.i
+  %.52.i129.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.252.i.i.i
+  %.70.i130.2.i.i.i = fsub contract double %.46.i128.2.i.i.i, %.52.i129.2.i.i.i
+  store double %.70.i130.2.i.i.i, ptr %.588.i.i.i.i, align 8, !noalias !215
+  store double %.80.i127.2.i.i.i, ptr %.591.i.i.i.i, align 8, !noalias !215
+  %.1364.1151.2.i.i.i = load double, ptr %sunkaddr183.2.i.i.i, align 8, !noalias !215
+  %.1366.1153.2.i.i.i = load double, ptr %sunkaddr185.2.i.i.i, align 8, !noalias !215
+  %.58.i125.1.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1151.2.i.i.i
+  %.64.i126.1.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1153.2.i.i.i
+  %.80.i127.1.2.i.i.i = fadd contract double %.58.i125.1.2.i.i.i, %.64.i126.1.2.i.i.i
+  %.46.i128.1.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1151.2.i.i.i
+  %.52.i129.1.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1153.2.i.i.i
+  %.70.i130.1.2.i.i.i = fsub contract double %.46.i128.1.2.i.i.i, %.52.i129.1.2.i.i.i
+  store double %.70.i130.1.2.i.i.i, ptr %sunkaddr183.2.i.i.i, align 8, !noalias !215
+  store double %.80.i127.1.2.i.i.i, ptr %sunkaddr185.2.i.i.i, align 8, !noalias !215
+  %.1364.3.i.i.i = load double, ptr %.1111.i.i.i.i, align 8, !noalias !215
+  %.1366.3.i.i.i = load double, ptr %.1114.i.i.i.i, align 8, !noalias !215
+  %.58.i125.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.3.i.i.i
+  %.64.i126.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.3.i.i.i
+  %.80.i127.3.i.i.i = fadd contract double %.58.i125.3.i.i.i, %.64.i126.3.i.i.i
+  %.46.i128.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.3.i.i.i
+  %.52.i129.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.3.i.i.i
+  %.70.i130.3.i.i.i = fsub contract double %.46.i128.3.i.i.i, %.52.i129.3.i.i.i
+  store double %.70.i130.3.i.i.i, ptr %.1111.i.i.i.i, align 8, !noalias !215
+  store double %.80.i127.3.i.i.i, ptr %.1114.i.i.i.i, align 8, !noalias !215
+  %.1364.1151.3.i.i.i = load double, ptr %.1645.i.i.i.i, align 8, !noalias !215
+  %.1366.1153.3.i.i.i = load double, ptr %.1648.i.i.i.i, align 8, !noalias !215
+  %.58.i125.1.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1151.3.i.i.i
+  %.64.i126.1.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1153.3.i.i.i
+  %.80.i127.1.3.i.i.i = fadd contract double %.58.i125.1.3.i.i.i, %.64.i126.1.3.i.i.i
+  %.46.i128.1.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1151.3.i.i.i
+  %.52.i129.1.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1153.3.i.i.i
+  %.70.i130.1.3.i.i.i = fsub contract double %.46.i128.1.3.i.i.i, %.52.i129.1.3.i.i.i
+  store double %.70.i130.1.3.i.i.i, ptr %.1645.i.i.i.i, align 8, !noalias !215
+  store double %.80.i127.1.3.i.i.i, ptr %.1648.i.i.i.i, align 8, !noalias !215
+  %.1364.4.i.i.i = load double, ptr %sunkaddr.4.i.i.i, align 8, !noalias !215
+  %.1366.4.i.i.i = load double, ptr %sunkaddr181.4.i.i.i, align 8, !noalias !215
+  %.58.i125.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.4.i.i.i
+  %.64.i126.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.4.i.i.i
+  %.80.i127.4.i.i.i = fadd contract double %.58.i125.4.i.i.i, %.64.i126.4.i.i.i
+  %.46.i128.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.4.i.i.i
+  %.52.i129.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.4.i.i.i
+  %.70.i130.4.i.i.i = fsub contract double %.46.i128.4.i.i.i, %.52.i129.4.i.i.i
+  store double %.70.i130.4.i.i.i, ptr %sunkaddr.4.i.i.i, align 8, !noalias !215
+  store double %.80.i127.4.i.i.i, ptr %sunkaddr181.4.i.i.i, align 8, !noalias !215
+  %.1364.1151.4.i.i.i = load double, ptr %.2656.i.i.i.i, align 8, !noalias !215
+  %.1366.1153.4.i.i.i = load double, ptr %.2659.i.i.i.i, align 8, !noalias !215
+  %.58.i125.1.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1151.4.i.i.i
+  %.64.i126.1.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1153.4.i.i.i
+  %.80.i127.1.4.i.i.i = fadd contract double %.58.i125.1.4.i.i.i, %.64.i126.1.4.i.i.i
+  %.46.i128.1.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1151.4.i.i.i
+  %.52.i129.1.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1153.4.i.i.i
+  %.70.i130.1.4.i.i.i = fsub contract double %.46.i128.1.4.i.i.i, %.52.i129.1.4.i.i.i
+  store double %.70.i130.1.4.i.i.i, ptr %.2656.i.i.i.i, align 8, !noalias !215
+  store double %.80.i127.1.4.i.i.i, ptr %.2659.i.i.i.i, align 8, !noalias !215
+  %.1364.5.i.i.i = load double, ptr %.3494.i.i.i.i, align 8, !noalias !215
+  %.1366.5.i.i.i = load double, ptr %.3497.i.i.i.i, align 8, !noalias !215
+  %.58.i125.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.5.i.i.i
+  %.64.i126.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.5.i.i.i
+  %.80.i127.5.i.i.i = fadd contract double %.58.i125.5.i.i.i, %.64.i126.5.i.i.i
+  %.46.i128.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.5.i.i.i
+  %.52.i129.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.5.i.i.i
+  %.70.i130.5.i.i.i = fsub contract double %.46.i128.5.i.i.i, %.52.i129.5.i.i.i
+  store double %.70.i130.5.i.i.i, ptr %.3494.i.i.i.i, align 8, !noalias !215
+  store double %.80.i127.5.i.i.i, ptr %.3497.i.i.i.i, align 8, !noalias !215
+  %.1364.1151.5.i.i.i = load double, ptr %.4475.i.i.i.i, align 8, !noalias !215
+  %.1366.1153.5.i.i.i = load double, ptr %.4478.i.i.i.i, align 8, !noalias !215
+  %.58.i125.1.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1151.5.i.i.i
+  %.64.i126.1.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1153.5.i.i.i
+  %.80.i127.1.5.i.i.i = fadd contract double %.58.i125.1.5.i.i.i, %.64.i126.1.5.i.i.i
+  %.46.i128.1.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1151.5.i.i.i
+  %.52.i129.1.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1153.5.i.i.i
+  %.70.i130.1.5.i.i.i = fsub contract double %.46.i128.1.5.i.i.i, %.52.i129.1.5.i.i.i
+  store double %.70.i130.1.5.i.i.i, ptr %.4475.i.i.i.i, align 8, !noalias !215
+  store double %.80.i127.1.5.i.i.i, ptr %.4478.i.i.i.i, align 8, !noalias !215
+  %.1364.6.i.i.i = load double, ptr %sunkaddr.6.i.i.i, align 8, !noalias !215
+  %.1366.6.i.i.i = load double, ptr %sunkaddr181.6.i.i.i, align 8, !noalias !215
+  %.58.i125.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.6.i.i.i
+  %.64.i126.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.6.i.i.i
+  %.80.i127.6.i.i.i = fadd contract double %.58.i125.6.i.i.i, %.64.i126.6.i.i.i
+  %.46.i128.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.6.i.i.i
+  %.52.i129.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.6.i.i.i
+  %.70.i130.6.i.i.i = fsub contract double %.46.i128.6.i.i.i, %.52.i129.6.i.i.i
+  store double %.70.i130.6.i.i.i, ptr %sunkaddr.6.i.i.i, align 8, !noalias !215
+  store double %.80.i127.6.i.i.i, ptr %sunkaddr181.6.i.i.i, align 8, !noalias !215
+  %.1364.1151.6.i.i.i = load double, ptr %sunkaddr183.6.i.i.i, align 8, !noalias !215
+  %.1366.1153.6.i.i.i = load double, ptr %sunkaddr185.6.i.i.i, align 8, !noalias !215
+  %.58.i125.1.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1151.6.i.i.i
+  %.64.i126.1.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1153.6.i.i.i
+  %.80.i127.1.6.i.i.i = fadd contract double %.58.i125.1.6.i.i.i, %.64.i126.1.6.i.i.i
+  %.46.i128.1.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1151.6.i.i.i
+  %.52.i129.1.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1153.6.i.i.i
+  %.70.i130.1.6.i.i.i = fsub contract double %.46.i128.1.6.i.i.i, %.52.i129.1.6.i.i.i
+  store double %.70.i130.1.6.i.i.i, ptr %sunkaddr183.6.i.i.i, align 8, !noalias !215
+  store double %.80.i127.1.6.i.i.i, ptr %sunkaddr185.6.i.i.i, align 8, !noalias !215
+  %.1364.7.i.i.i = load double, ptr %sunkaddr.7.i.i.i, align 8, !noalias !215
+  %.1366.7.i.i.i = load double, ptr %sunkaddr181.7.i.i.i, align 8, !noalias !215
+  %.58.i125.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.7.i.i.i
+  %.64.i126.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.7.i.i.i
+  %.80.i127.7.i.i.i = fadd contract double %.58.i125.7.i.i.i, %.64.i126.7.i.i.i
+  %.46.i128.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.7.i.i.i
+  %.52.i129.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.7.i.i.i
+  %.70.i130.7.i.i.i = fsub contract double %.46.i128.7.i.i.i, %.52.i129.7.i.i.i
+  store double %.70.i130.7.i.i.i, ptr %sunkaddr.7.i.i.i, align 8, !noalias !215
+  store double %.80.i127.7.i.i.i, ptr %sunkaddr181.7.i.i.i, align 8, !noalias !215
+  %.1364.1151.7.i.i.i = load double, ptr %sunkaddr183.7.i.i.i, align 8, !noalias !215
+  %.1366.1153.7.i.i.i = load double, ptr %sunkaddr185.7.i.i.i, align 8, !noalias !215
+  %.58.i125.1.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1151.7.i.i.i
+  %.64.i126.1.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1153.7.i.i.i
+  %.80.i127.1.7.i.i.i = fadd contract double %.58.i125.1.7.i.i.i, %.64.i126.1.7.i.i.i
+  %.46.i128.1.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1151.7.i.i.i
+  %.52.i129.1.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1153.7.i.i.i
+  %.70.i130.1.7.i.i.i = fsub contract double %.46.i128.1.7.i.i.i, %.52.i129.1.7.i.i.i
+  store double %.70.i130.1.7.i.i.i, ptr %sunkaddr183.7.i.i.i, align 8, !noalias !215
+  store double %.80.i127.1.7.i.i.i, ptr %sunkaddr185.7.i.i.i, align 8, !noalias !215
+  %.1364.1.i.i.i = load double, ptr %433, align 8, !noalias !215
+  %.1366.1.i.i.i = load double, ptr %scevgep170.i.i.i, align 8, !noalias !215
+  %.58.i18.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.i.i.i
+  %.64.i19.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.i.i.i
+  %.80.i20.i.i.i = fadd contract double %.58.i18.i.i.i, %.64.i19.i.i.i
+  %.46.i21.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.i.i.i
+  %.52.i22.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.i.i.i
+  %.70.i23.i.i.i = fsub contract double %.46.i21.i.i.i, %.52.i22.i.i.i
+  store double %.70.i23.i.i.i, ptr %433, align 8, !noalias !215
+  store double %.80.i20.i.i.i, ptr %scevgep170.i.i.i, align 8, !noalias !215
+  %.1364.1.1.i.i.i = load double, ptr %scevgep167.i.i.i, align 8, !noalias !215
+  %.1366.1.1.i.i.i = load double, ptr %scevgep162.i.i.i, align 8, !noalias !215
+  %.58.i18.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.1.i.i.i
+  %.64.i19.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.1.i.i.i
+  %.80.i20.1.i.i.i = fadd contract double %.58.i18.1.i.i.i, %.64.i19.1.i.i.i
+  %.46.i21.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.1.i.i.i
+  %.52.i22.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.1.i.i.i
+  %.70.i23.1.i.i.i = fsub contract double %.46.i21.1.i.i.i, %.52.i22.1.i.i.i
+  store double %.70.i23.1.i.i.i, ptr %scevgep167.i.i.i, align 8, !noalias !215
+  store double %.80.i20.1.i.i.i, ptr %scevgep162.i.i.i, align 8, !noalias !215
+  %.1364.1.154.i.i.i = load double, ptr %scevgep169.1.i.i.i, align 8, !noalias !215
+  %.1366.1.155.i.i.i = load double, ptr %scevgep170.1.i.i.i, align 8, !noalias !215
+  %.58.i18.156.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.154.i.i.i
+  %.64.i19.157.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.155.i.i.i
+  %.80.i20.158.i.i.i = fadd contract double %.58.i18.156.i.i.i, %.64.i19.157.i.i.i
+  %.46.i21.159.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.154.i.i.i
+  %.52.i22.160.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.155.i.i.i
+  %.70.i23.161.i.i.i = fsub contract double %.46.i21.159.i.i.i, %.52.i22.160.i.i.i
+  store double %.70.i23.161.i.i.i, ptr %scevgep169.1.i.i.i, align 8, !noalias !215
+  store double %.80.i20.158.i.i.i, ptr %scevgep170.1.i.i.i, align 8, !noalias !215
+  %.1364.1.1.1.i.i.i = load double, ptr %scevgep167.1.i.i.i, align 8, !noalias !215
+  %.1366.1.1.1.i.i.i = load double, ptr %scevgep168.1.i.i.i, align 8, !noalias !215
+  %.58.i18.1.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.1.1.i.i.i
+  %.64.i19.1.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.1.1.i.i.i
+  %.80.i20.1.1.i.i.i = fadd contract double %.58.i18.1.1.i.i.i, %.64.i19.1.1.i.i.i
+  %.46.i21.1.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.1.1.i.i.i
+  %.52.i22.1.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.1.1.i.i.i
+  %.70.i23.1.1.i.i.i = fsub contract double %.46.i21.1.1.i.i.i, %.52.i22.1.1.i.i.i
+  store double %.70.i23.1.1.i.i.i, ptr %scevgep167.1.i.i.i, align 8, !noalias !215
+  store double %.80.i20.1.1.i.i.i, ptr %scevgep168.1.i.i.i, align 8, !noalias !215
+  %.1364.1.2.i.i.i = load double, ptr %scevgep169.2.i.i.i, align 8, !noalias !215
+  %.1366.1.2.i.i.i = load double, ptr %scevgep170.2.i.i.i, align 8, !noalias !215
+  %.58.i18.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.2.i.i.i
+  %.64.i19.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.2.i.i.i
+  %.80.i20.2.i.i.i = fadd contract double %.58.i18.2.i.i.i, %.64.i19.2.i.i.i
+  %.46.i21.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.2.i.i.i
+  %.52.i22.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.2.i.i.i
+  %.70.i23.2.i.i.i = fsub contract double %.46.i21.2.i.i.i, %.52.i22.2.i.i.i
+  store double %.70.i23.2.i.i.i, ptr %scevgep169.2.i.i.i, align 8, !noalias !215
+  store double %.80.i20.2.i.i.i, ptr %scevgep170.2.i.i.i, align 8, !noalias !215
+  %.1364.1.1.2.i.i.i = load double, ptr %.890.i.i.i.i, align 8, !noalias !215
+  %.1366.1.1.2.i.i.i = load double, ptr %.893.i.i.i.i, align 8, !noalias !215
+  %.58.i18.1.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.1.2.i.i.i
+  %.64.i19.1.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.1.2.i.i.i
+  %.80.i20.1.2.i.i.i = fadd contract double %.58.i18.1.2.i.i.i, %.64.i19.1.2.i.i.i
+  %.46.i21.1.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.1.2.i.i.i
+  %.52.i22.1.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.1.2.i.i.i
+  %.70.i23.1.2.i.i.i = fsub contract double %.46.i21.1.2.i.i.i, %.52.i22.1.2.i.i.i
+  store double %.70.i23.1.2.i.i.i, ptr %.890.i.i.i.i, align 8, !noalias !215
+  store double %.80.i20.1.2.i.i.i, ptr %.893.i.i.i.i, align 8, !noalias !215
+  %.1364.1.3.i.i.i = load double, ptr %.1502.i.i.i.i, align 8, !noalias !215
+  %.1366.1.3.i.i.i = load double, ptr %.1505.i.i.i.i, align 8, !noalias !215
+  %.58.i18.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.3.i.i.i
+  %.64.i19.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.3.i.i.i
+  %.80.i20.3.i.i.i = fadd contract double %.58.i18.3.i.i.i, %.64.i19.3.i.i.i
+  %.46.i21.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.3.i.i.i
+  %.52.i22.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.3.i.i.i
+  %.70.i23.3.i.i.i = fsub contract double %.46.i21.3.i.i.i, %.52.i22.3.i.i.i
+  store double %.70.i23.3.i.i.i, ptr %.1502.i.i.i.i, align 8, !noalias !215
+  store double %.80.i20.3.i.i.i, ptr %.1505.i.i.i.i, align 8, !noalias !215
+  %.1364.1.1.3.i.i.i = load double, ptr %scevgep167.3.i.i.i, align 8, !noalias !215
+  %.1366.1.1.3.i.i.i = load double, ptr %scevgep168.3.i.i.i, align 8, !noalias !215
+  %.58.i18.1.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.1.3.i.i.i
+  %.64.i19.1.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.1.3.i.i.i
+  %.80.i20.1.3.i.i.i = fadd contract double %.58.i18.1.3.i.i.i, %.64.i19.1.3.i.i.i
+  %.46.i21.1.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.1.3.i.i.i
+  %.52.i22.1.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.1.3.i.i.i
+  %.70.i23.1.3.i.i.i = fsub contract double %.46.i21.1.3.i.i.i, %.52.i22.1.3.i.i.i
+  store double %.70.i23.1.3.i.i.i, ptr %scevgep167.3.i.i.i, align 8, !noalias !215
+  store double %.80.i20.1.3.i.i.i, ptr %scevgep168.3.i.i.i, align 8, !noalias !215
+  %.1364.1.4.i.i.i = load double, ptr %.1947.i.i.i.i, align 8, !noalias !215
+  %.1366.1.4.i.i.i = load double, ptr %.1950.i.i.i.i, align 8, !noalias !215
+  %.58.i18.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.4.i.i.i
+  %.64.i19.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.4.i.i.i
+  %.80.i20.4.i.i.i = fadd contract double %.58.i18.4.i.i.i, %.64.i19.4.i.i.i
+  %.46.i21.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.4.i.i.i
+  %.52.i22.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.4.i.i.i
+  %.70.i23.4.i.i.i = fsub contract double %.46.i21.4.i.i.i, %.52.i22.4.i.i.i
+  store double %.70.i23.4.i.i.i, ptr %.1947.i.i.i.i, align 8, !noalias !215
+  store double %.80.i20.4.i.i.i, ptr %.1950.i.i.i.i, align 8, !noalias !215
+  %.1364.1.1.4.i.i.i = load double, ptr %.3047.i.i.i.i, align 8, !noalias !215
+  %.1366.1.1.4.i.i.i = load double, ptr %.3050.i.i.i.i, align 8, !noalias !215
+  %.58.i18.1.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.1.4.i.i.i
+  %.64.i19.1.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.1.4.i.i.i
+  %.80.i20.1.4.i.i.i = fadd contract double %.58.i18.1.4.i.i.i, %.64.i19.1.4.i.i.i
+  %.46.i21.1.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.1.4.i.i.i
+  %.52.i22.1.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.1.4.i.i.i
+  %.70.i23.1.4.i.i.i = fsub contract double %.46.i21.1.4.i.i.i, %.52.i22.1.4.i.i.i
+  store double %.70.i23.1.4.i.i.i, ptr %.3047.i.i.i.i, align 8, !noalias !215
+  store double %.80.i20.1.4.i.i.i, ptr %.3050.i.i.i.i, align 8, !noalias !215
+  %.1364.1.5.i.i.i = load double, ptr %.4246.i.i.i.i, align 8, !noalias !215
+  %.1366.1.5.i.i.i = load double, ptr %.4249.i.i.i.i, align 8, !noalias !215
+  %.58.i18.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.5.i.i.i
+  %.64.i19.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.5.i.i.i
+  %.80.i20.5.i.i.i = fadd contract double %.58.i18.5.i.i.i, %.64.i19.5.i.i.i
+  %.46.i21.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.5.i.i.i
+  %.52.i22.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.5.i.i.i
+  %.70.i23.5.i.i.i = fsub contract double %.46.i21.5.i.i.i, %.52.i22.5.i.i.i
+  store double %.70.i23.5.i.i.i, ptr %.4246.i.i.i.i, align 8, !noalias !215
+  store double %.80.i20.5.i.i.i, ptr %.4249.i.i.i.i, align 8, !noalias !215
+  %.1364.1.1.5.i.i.i = load double, ptr %.4963.i.i.i.i, align 8, !noalias !215
+  %.1366.1.1.5.i.i.i = load double, ptr %.4966.i.i.i.i, align 8, !noalias !215
+  %.58.i18.1.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.1.5.i.i.i
+  %.64.i19.1.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.1.5.i.i.i
+  %.80.i20.1.5.i.i.i = fadd contract double %.58.i18.1.5.i.i.i, %.64.i19.1.5.i.i.i
+  %.46.i21.1.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.1.5.i.i.i
+  %.52.i22.1.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.1.5.i.i.i
+  %.70.i23.1.5.i.i.i = fsub contract double %.46.i21.1.5.i.i.i, %.52.i22.1.5.i.i.i
+  store double %.70.i23.1.5.i.i.i, ptr %.4963.i.i.i.i, align 8, !noalias !215
+  store double %.80.i20.1.5.i.i.i, ptr %.4966.i.i.i.i, align 8, !noalias !215
+  %.1364.1.6.i.i.i = load double, ptr %scevgep169.6.i.i.i, align 8, !noalias !215
+  %.1366.1.6.i.i.i = load double, ptr %scevgep170.6.i.i.i, align 8, !noalias !215
+  %.58.i18.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.6.i.i.i
+  %.64.i19.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.6.i.i.i
+  %.80.i20.6.i.i.i = fadd contract double %.58.i18.6.i.i.i, %.64.i19.6.i.i.i
+  %.46.i21.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.6.i.i.i
+  %.52.i22.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.6.i.i.i
+  %.70.i23.6.i.i.i = fsub contract double %.46.i21.6.i.i.i, %.52.i22.6.i.i.i
+  store double %.70.i23.6.i.i.i, ptr %scevgep169.6.i.i.i, align 8, !noalias !215
+  store double %.80.i20.6.i.i.i, ptr %scevgep170.6.i.i.i, align 8, !noalias !215
+  %.1364.1.1.6.i.i.i = load double, ptr %scevgep167.6.i.i.i, align 8, !noalias !215
+  %.1366.1.1.6.i.i.i = load double, ptr %scevgep168.6.i.i.i, align 8, !noalias !215
+  %.58.i18.1.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.1.6.i.i.i
+  %.64.i19.1.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.1.6.i.i.i
+  %.80.i20.1.6.i.i.i = fadd contract double %.58.i18.1.6.i.i.i, %.64.i19.1.6.i.i.i
+  %.46.i21.1.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.1.6.i.i.i
+  %.52.i22.1.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.1.6.i.i.i
+  %.70.i23.1.6.i.i.i = fsub contract double %.46.i21.1.6.i.i.i, %.52.i22.1.6.i.i.i
+  store double %.70.i23.1.6.i.i.i, ptr %scevgep167.6.i.i.i, align 8, !noalias !215
+  store double %.80.i20.1.6.i.i.i, ptr %scevgep168.6.i.i.i, align 8, !noalias !215
+  %.1364.1.7.i.i.i = load double, ptr %scevgep169.7.i.i.i, align 8, !noalias !215
+  %.1366.1.7.i.i.i = load double, ptr %scevgep170.7.i.i.i, align 8, !noalias !215
+  %.58.i18.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.7.i.i.i
+  %.64.i19.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.7.i.i.i
+  %.80.i20.7.i.i.i = fadd contract double %.58.i18.7.i.i.i, %.64.i19.7.i.i.i
+  %.46.i21.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.7.i.i.i
+  %.52.i22.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.7.i.i.i
+  %.70.i23.7.i.i.i = fsub contract double %.46.i21.7.i.i.i, %.52.i22.7.i.i.i
+  store double %.70.i23.7.i.i.i, ptr %scevgep169.7.i.i.i, align 8, !noalias !215
+  store double %.80.i20.7.i.i.i, ptr %scevgep170.7.i.i.i, align 8, !noalias !215
+  %.1364.1.1.7.i.i.i = load double, ptr %scevgep167.7.i.i.i, align 8, !noalias !215
+  %.1366.1.1.7.i.i.i = load double, ptr %scevgep168.7.i.i.i, align 8, !noalias !215
+  %.58.i18.1.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.1.1.7.i.i.i
+  %.64.i19.1.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.1.1.7.i.i.i
+  %.80.i20.1.7.i.i.i = fadd contract double %.58.i18.1.7.i.i.i, %.64.i19.1.7.i.i.i
+  %.46.i21.1.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.1.1.7.i.i.i
+  %.52.i22.1.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.1.1.7.i.i.i
+  %.70.i23.1.7.i.i.i = fsub contract double %.46.i21.1.7.i.i.i, %.52.i22.1.7.i.i.i
+  store double %.70.i23.1.7.i.i.i, ptr %scevgep167.7.i.i.i, align 8, !noalias !215
+  store double %.80.i20.1.7.i.i.i, ptr %scevgep168.7.i.i.i, align 8, !noalias !215
+  %.1364.2.i.i.i = load double, ptr %434, align 8, !noalias !215
+  %.1366.2.i.i.i = load double, ptr %scevgep161.i.i.i, align 8, !noalias !215
+  %.58.i25.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.i.i.i
+  %.64.i26.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.i.i.i
+  %.80.i27.i.i.i = fadd contract double %.58.i25.i.i.i, %.64.i26.i.i.i
+  %.46.i28.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.i.i.i
+  %.52.i29.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.i.i.i
+  %.70.i30.i.i.i = fsub contract double %.46.i28.i.i.i, %.52.i29.i.i.i
+  store double %.70.i30.i.i.i, ptr %434, align 8, !noalias !215
+  store double %.80.i27.i.i.i, ptr %scevgep161.i.i.i, align 8, !noalias !215
+  %.1364.2.1.i.i.i = load double, ptr %scevgep158.i.i.i, align 8, !noalias !215
+  %.1366.2.1.i.i.i = load double, ptr %scevgep.i.i.i443, align 8, !noalias !215
+  %.58.i25.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.1.i.i.i
+  %.64.i26.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.1.i.i.i
+  %.80.i27.1.i.i.i = fadd contract double %.58.i25.1.i.i.i, %.64.i26.1.i.i.i
+  %.46.i28.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.1.i.i.i
+  %.52.i29.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.1.i.i.i
+  %.70.i30.1.i.i.i = fsub contract double %.46.i28.1.i.i.i, %.52.i29.1.i.i.i
+  store double %.70.i30.1.i.i.i, ptr %scevgep158.i.i.i, align 8, !noalias !215
+  store double %.80.i27.1.i.i.i, ptr %scevgep.i.i.i443, align 8, !noalias !215
+  %.1364.2.162.i.i.i = load double, ptr %scevgep160.1.i.i.i, align 8, !noalias !215
+  %.1366.2.163.i.i.i = load double, ptr %scevgep161.1.i.i.i, align 8, !noalias !215
+  %.58.i25.164.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.162.i.i.i
+  %.64.i26.165.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.163.i.i.i
+  %.80.i27.166.i.i.i = fadd contract double %.58.i25.164.i.i.i, %.64.i26.165.i.i.i
+  %.46.i28.167.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.162.i.i.i
+  %.52.i29.168.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.163.i.i.i
+  %.70.i30.169.i.i.i = fsub contract double %.46.i28.167.i.i.i, %.52.i29.168.i.i.i
+  store double %.70.i30.169.i.i.i, ptr %scevgep160.1.i.i.i, align 8, !noalias !215
+  store double %.80.i27.166.i.i.i, ptr %scevgep161.1.i.i.i, align 8, !noalias !215
+  %.1364.2.1.1.i.i.i = load double, ptr %scevgep158.1.i.i.i, align 8, !noalias !215
+  %.1366.2.1.1.i.i.i = load double, ptr %scevgep159.1.i.i.i, align 8, !noalias !215
+  %.58.i25.1.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.1.1.i.i.i
+  %.64.i26.1.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.1.1.i.i.i
+  %.80.i27.1.1.i.i.i = fadd contract double %.58.i25.1.1.i.i.i, %.64.i26.1.1.i.i.i
+  %.46.i28.1.1.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.1.1.i.i.i
+  %.52.i29.1.1.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.1.1.i.i.i
+  %.70.i30.1.1.i.i.i = fsub contract double %.46.i28.1.1.i.i.i, %.52.i29.1.1.i.i.i
+  store double %.70.i30.1.1.i.i.i, ptr %scevgep158.1.i.i.i, align 8, !noalias !215
+  store double %.80.i27.1.1.i.i.i, ptr %scevgep159.1.i.i.i, align 8, !noalias !215
+  %.1364.2.2.i.i.i = load double, ptr %scevgep160.2.i.i.i, align 8, !noalias !215
+  %.1366.2.2.i.i.i = load double, ptr %scevgep161.2.i.i.i, align 8, !noalias !215
+  %.58.i25.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.2.i.i.i
+  %.64.i26.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.2.i.i.i
+  %.80.i27.2.i.i.i = fadd contract double %.58.i25.2.i.i.i, %.64.i26.2.i.i.i
+  %.46.i28.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.2.i.i.i
+  %.52.i29.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.2.i.i.i
+  %.70.i30.2.i.i.i = fsub contract double %.46.i28.2.i.i.i, %.52.i29.2.i.i.i
+  store double %.70.i30.2.i.i.i, ptr %scevgep160.2.i.i.i, align 8, !noalias !215
+  store double %.80.i27.2.i.i.i, ptr %scevgep161.2.i.i.i, align 8, !noalias !215
+  %.1364.2.1.2.i.i.i = load double, ptr %scevgep158.2.i.i.i, align 8, !noalias !215
+  %.1366.2.1.2.i.i.i = load double, ptr %scevgep159.2.i.i.i, align 8, !noalias !215
+  %.58.i25.1.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.1.2.i.i.i
+  %.64.i26.1.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.1.2.i.i.i
+  %.80.i27.1.2.i.i.i = fadd contract double %.58.i25.1.2.i.i.i, %.64.i26.1.2.i.i.i
+  %.46.i28.1.2.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.1.2.i.i.i
+  %.52.i29.1.2.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.1.2.i.i.i
+  %.70.i30.1.2.i.i.i = fsub contract double %.46.i28.1.2.i.i.i, %.52.i29.1.2.i.i.i
+  store double %.70.i30.1.2.i.i.i, ptr %scevgep158.2.i.i.i, align 8, !noalias !215
+  store double %.80.i27.1.2.i.i.i, ptr %scevgep159.2.i.i.i, align 8, !noalias !215
+  %.1364.2.3.i.i.i = load double, ptr %scevgep160.3.i.i.i, align 8, !noalias !215
+  %.1366.2.3.i.i.i = load double, ptr %scevgep161.3.i.i.i, align 8, !noalias !215
+  %.58.i25.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.3.i.i.i
+  %.64.i26.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.3.i.i.i
+  %.80.i27.3.i.i.i = fadd contract double %.58.i25.3.i.i.i, %.64.i26.3.i.i.i
+  %.46.i28.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.3.i.i.i
+  %.52.i29.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.3.i.i.i
+  %.70.i30.3.i.i.i = fsub contract double %.46.i28.3.i.i.i, %.52.i29.3.i.i.i
+  store double %.70.i30.3.i.i.i, ptr %scevgep160.3.i.i.i, align 8, !noalias !215
+  store double %.80.i27.3.i.i.i, ptr %scevgep161.3.i.i.i, align 8, !noalias !215
+  %.1364.2.1.3.i.i.i = load double, ptr %scevgep158.3.i.i.i, align 8, !noalias !215
+  %.1366.2.1.3.i.i.i = load double, ptr %scevgep159.3.i.i.i, align 8, !noalias !215
+  %.58.i25.1.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.1.3.i.i.i
+  %.64.i26.1.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.1.3.i.i.i
+  %.80.i27.1.3.i.i.i = fadd contract double %.58.i25.1.3.i.i.i, %.64.i26.1.3.i.i.i
+  %.46.i28.1.3.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.1.3.i.i.i
+  %.52.i29.1.3.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.1.3.i.i.i
+  %.70.i30.1.3.i.i.i = fsub contract double %.46.i28.1.3.i.i.i, %.52.i29.1.3.i.i.i
+  store double %.70.i30.1.3.i.i.i, ptr %scevgep158.3.i.i.i, align 8, !noalias !215
+  store double %.80.i27.1.3.i.i.i, ptr %scevgep159.3.i.i.i, align 8, !noalias !215
+  %.1364.2.4.i.i.i = load double, ptr %.2435.i.i.i.i, align 8, !noalias !215
+  %.1366.2.4.i.i.i = load double, ptr %.2438.i.i.i.i, align 8, !noalias !215
+  %.58.i25.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.4.i.i.i
+  %.64.i26.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.4.i.i.i
+  %.80.i27.4.i.i.i = fadd contract double %.58.i25.4.i.i.i, %.64.i26.4.i.i.i
+  %.46.i28.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.4.i.i.i
+  %.52.i29.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.4.i.i.i
+  %.70.i30.4.i.i.i = fsub contract double %.46.i28.4.i.i.i, %.52.i29.4.i.i.i
+  store double %.70.i30.4.i.i.i, ptr %.2435.i.i.i.i, align 8, !noalias !215
+  store double %.80.i27.4.i.i.i, ptr %.2438.i.i.i.i, align 8, !noalias !215
+  %.1364.2.1.4.i.i.i = load double, ptr %scevgep158.4.i.i.i, align 8, !noalias !215
+  %.1366.2.1.4.i.i.i = load double, ptr %scevgep159.4.i.i.i, align 8, !noalias !215
+  %.58.i25.1.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.1.4.i.i.i
+  %.64.i26.1.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.1.4.i.i.i
+  %.80.i27.1.4.i.i.i = fadd contract double %.58.i25.1.4.i.i.i, %.64.i26.1.4.i.i.i
+  %.46.i28.1.4.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.1.4.i.i.i
+  %.52.i29.1.4.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.1.4.i.i.i
+  %.70.i30.1.4.i.i.i = fsub contract double %.46.i28.1.4.i.i.i, %.52.i29.1.4.i.i.i
+  store double %.70.i30.1.4.i.i.i, ptr %scevgep158.4.i.i.i, align 8, !noalias !215
+  store double %.80.i27.1.4.i.i.i, ptr %scevgep159.4.i.i.i, align 8, !noalias !215
+  %.1364.2.5.i.i.i = load double, ptr %scevgep160.5.i.i.i, align 8, !noalias !215
+  %.1366.2.5.i.i.i = load double, ptr %scevgep161.5.i.i.i, align 8, !noalias !215
+  %.58.i25.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.5.i.i.i
+  %.64.i26.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.5.i.i.i
+  %.80.i27.5.i.i.i = fadd contract double %.58.i25.5.i.i.i, %.64.i26.5.i.i.i
+  %.46.i28.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.5.i.i.i
+  %.52.i29.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.5.i.i.i
+  %.70.i30.5.i.i.i = fsub contract double %.46.i28.5.i.i.i, %.52.i29.5.i.i.i
+  store double %.70.i30.5.i.i.i, ptr %scevgep160.5.i.i.i, align 8, !noalias !215
+  store double %.80.i27.5.i.i.i, ptr %scevgep161.5.i.i.i, align 8, !noalias !215
+  %.1364.2.1.5.i.i.i = load double, ptr %scevgep158.5.i.i.i, align 8, !noalias !215
+  %.1366.2.1.5.i.i.i = load double, ptr %scevgep159.5.i.i.i, align 8, !noalias !215
+  %.58.i25.1.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.1.5.i.i.i
+  %.64.i26.1.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.1.5.i.i.i
+  %.80.i27.1.5.i.i.i = fadd contract double %.58.i25.1.5.i.i.i, %.64.i26.1.5.i.i.i
+  %.46.i28.1.5.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.1.5.i.i.i
+  %.52.i29.1.5.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.1.5.i.i.i
+  %.70.i30.1.5.i.i.i = fsub contract double %.46.i28.1.5.i.i.i, %.52.i29.1.5.i.i.i
+  store double %.70.i30.1.5.i.i.i, ptr %scevgep158.5.i.i.i, align 8, !noalias !215
+  store double %.80.i27.1.5.i.i.i, ptr %scevgep159.5.i.i.i, align 8, !noalias !215
+  %.1364.2.6.i.i.i = load double, ptr %scevgep160.6.i.i.i, align 8, !noalias !215
+  %.1366.2.6.i.i.i = load double, ptr %scevgep161.6.i.i.i, align 8, !noalias !215
+  %.58.i25.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.6.i.i.i
+  %.64.i26.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.6.i.i.i
+  %.80.i27.6.i.i.i = fadd contract double %.58.i25.6.i.i.i, %.64.i26.6.i.i.i
+  %.46.i28.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.6.i.i.i
+  %.52.i29.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.6.i.i.i
+  %.70.i30.6.i.i.i = fsub contract double %.46.i28.6.i.i.i, %.52.i29.6.i.i.i
+  store double %.70.i30.6.i.i.i, ptr %scevgep160.6.i.i.i, align 8, !noalias !215
+  store double %.80.i27.6.i.i.i, ptr %scevgep161.6.i.i.i, align 8, !noalias !215
+  %.1364.2.1.6.i.i.i = load double, ptr %scevgep158.6.i.i.i, align 8, !noalias !215
+  %.1366.2.1.6.i.i.i = load double, ptr %scevgep159.6.i.i.i, align 8, !noalias !215
+  %.58.i25.1.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.1.6.i.i.i
+  %.64.i26.1.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.1.6.i.i.i
+  %.80.i27.1.6.i.i.i = fadd contract double %.58.i25.1.6.i.i.i, %.64.i26.1.6.i.i.i
+  %.46.i28.1.6.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.1.6.i.i.i
+  %.52.i29.1.6.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.1.6.i.i.i
+  %.70.i30.1.6.i.i.i = fsub contract double %.46.i28.1.6.i.i.i, %.52.i29.1.6.i.i.i
+  store double %.70.i30.1.6.i.i.i, ptr %scevgep158.6.i.i.i, align 8, !noalias !215
+  store double %.80.i27.1.6.i.i.i, ptr %scevgep159.6.i.i.i, align 8, !noalias !215
+  %.1364.2.7.i.i.i = load double, ptr %scevgep160.7.i.i.i, align 8, !noalias !215
+  %.1366.2.7.i.i.i = load double, ptr %scevgep161.7.i.i.i, align 8, !noalias !215
+  %.58.i25.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.7.i.i.i
+  %.64.i26.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.7.i.i.i
+  %.80.i27.7.i.i.i = fadd contract double %.58.i25.7.i.i.i, %.64.i26.7.i.i.i
+  %.46.i28.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.7.i.i.i
+  %.52.i29.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.7.i.i.i
+  %.70.i30.7.i.i.i = fsub contract double %.46.i28.7.i.i.i, %.52.i29.7.i.i.i
+  store double %.70.i30.7.i.i.i, ptr %scevgep160.7.i.i.i, align 8, !noalias !215
+  store double %.80.i27.7.i.i.i, ptr %scevgep161.7.i.i.i, align 8, !noalias !215
+  %.1364.2.1.7.i.i.i = load double, ptr %scevgep158.7.i.i.i, align 8, !noalias !215
+  %.1366.2.1.7.i.i.i = load double, ptr %scevgep159.7.i.i.i, align 8, !noalias !215
+  %.58.i25.1.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1364.2.1.7.i.i.i
+  %.64.i26.1.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1366.2.1.7.i.i.i
+  %.80.i27.1.7.i.i.i = fadd contract double %.58.i25.1.7.i.i.i, %.64.i26.1.7.i.i.i
+  %.46.i28.1.7.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i, %.1364.2.1.7.i.i.i
+  %.52.i29.1.7.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i, %.1366.2.1.7.i.i.i
+  %.70.i30.1.7.i.i.i = fsub contract double %.46.i28.1.7.i.i.i, %.52.i29.1.7.i.i.i
+  store double %.70.i30.1.7.i.i.i, ptr %scevgep158.7.i.i.i, align 8, !noalias !215
+  store double %.80.i27.1.7.i.i.i, ptr %scevgep159.7.i.i.i, align 8, !noalias !215
+  br label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i
+
+_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i: ; preds = %B924.if.i.i.i, %B282.endif.i110.i.i.i, %B174.endif.i87.i.i.i, %B282.i108.i.i.i, %B132.i85.i.i.i, %B282.endif.i60.i.i.i, %B174.endif.i37.i.i.i, %B282.i58.i.i.i, %B132.i35.i.i.i, %B282.endif.i219.i.i.i.i, %B174.endif.i196.i.i.i.i, %B282.i217.i.i.i.i, %B132.i194.i.i.i.i, %B282.endif.i.i.i.i.i, %B174.endif.i.i.i.i.i, %B282.i.i.i.i.i, %B132.i.i.i.i.i, %B282.endif.i.i.i.i, %B174.endif.i.i.i.i, %B282.i.i.i.i, %B132.i.i.i.i
+  %excinfo.5.1.i.i = phi ptr [ %excinfo.5.0.i.i, %B924.if.i.i.i ], [ null, %B174.endif.i196.i.i.i.i ], [ null, %B132.i35.i.i.i ], [ null, %B132.i.i.i.i ], [ null, %B282.endif.i.i.i.i ], [ null, %B282.i.i.i.i ], [ null, %B174.endif.i.i.i.i ], [ null, %B282.endif.i60.i.i.i ], [ null, %B282.i58.i.i.i ], [ null, %B174.endif.i37.i.i.i ], [ null, %B132.i194.i.i.i.i ], [ null, %B132.i.i.i.i.i ], [ null, %B282.endif.i.i.i.i.i ], [ null, %B282.i.i.i.i.i ], [ null, %B174.endif.i.i.i.i.i ], [ null, %B282.endif.i219.i.i.i.i ], [ null, %B282.i217.i.i.i.i ], [ null, %B282.endif.i110.i.i.i ], [ null, %B282.i108.i.i.i ], [ null, %B174.endif.i87.i.i.i ], [ null, %B132.i85.i.i.i ]
+  %cond.i.i = phi i1 [ true, %B924.if.i.i.i ], [ false, %B174.endif.i196.i.i.i.i ], [ false, %B132.i35.i.i.i ], [ false, %B132.i.i.i.i ], [ false, %B282.endif.i.i.i.i ], [ false, %B282.i.i.i.i ], [ false, %B174.endif.i.i.i.i ], [ false, %B282.endif.i60.i.i.i ], [ false, %B282.i58.i.i.i ], [ false, %B174.endif.i37.i.i.i ], [ false, %B132.i194.i.i.i.i ], [ false, %B132.i.i.i.i.i ], [ false, %B282.endif.i.i.i.i.i ], [ false, %B282.i.i.i.i.i ], [ false, %B174.endif.i.i.i.i.i ], [ false, %B282.endif.i219.i.i.i.i ], [ false, %B282.i217.i.i.i.i ], [ false, %B282.endif.i110.i.i.i ], [ false, %B282.i108.i.i.i ], [ false, %B174.endif.i87.i.i.i ], [ false, %B132.i85.i.i.i ]
+  %common.ret.op.i.i.i = phi i32 [ 0, %B924.if.i.i.i ], [ 1, %B174.endif.i196.i.i.i.i ], [ 1, %B132.i35.i.i.i ], [ 1, %B132.i.i.i.i ], [ 1, %B282.endif.i.i.i.i ], [ 1, %B282.i.i.i.i ], [ 1, %B174.endif.i.i.i.i ], [ 1, %B282.endif.i60.i.i.i ], [ 1, %B282.i58.i.i.i ], [ 1, %B174.endif.i37.i.i.i ], [ 1, %B132.i194.i.i.i.i ], [ 1, %B132.i.i.i.i.i ], [ 1, %B282.endif.i.i.i.i.i ], [ 1, %B282.i.i.i.i.i ], [ 1, %B174.endif.i.i.i.i.i ], [ 1, %B282.endif.i219.i.i.i.i ], [ 1, %B282.i217.i.i.i.i ], [ 1, %B282.endif.i110.i.i.i ], [ 1, %B282.i108.i.i.i ], [ 1, %B174.endif.i87.i.i.i ], [ 1, %B132.i85.i.i.i ]
+  call void @llvm.lifetime.end.p0(ptr nonnull %.584.i.i.i), !noalias !208
+  call void @llvm.lifetime.end.p0(ptr nonnull %.621.i.i.i), !noalias !208
+  call void @llvm.lifetime.end.p0(ptr nonnull %.700.i.i.i), !noalias !208
+  call void @llvm.lifetime.end.p0(ptr nonnull %.783.i.i.i), !noalias !208
+  call void @llvm.lifetime.end.p0(ptr nonnull %.911.i.i.i), !noalias !208
+  call void @llvm.lifetime.end.p0(ptr nonnull %.963.i.i.i435), !noalias !208
+  br i1 %cond.i.i, label %B942.if.i.i, label %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, !prof !23
+
+B942.if.i.i:                                      ; preds = %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i
+  %.333.i.i469 = add nuw nsw i64 %.326290306.i.i, 1
+  %scevgep123.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -376
+  %.981.i.i = load double, ptr %.80.i1.i.i.i, align 8, !noalias !208
+  %.993.i.i = fdiv contract double %.981.i.i, 1.000000e-30
+  store double %.993.i.i, ptr %scevgep123.i.i, align 8, !noalias !208
+  %.981.1.i.i = load double, ptr %sunkaddr185.i.i.i, align 8, !noalias !208
+  %.993.1.i.i = fdiv contract double %.981.1.i.i, 1.000000e-30
+  %scevgep122.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -368
+  store double %.993.1.i.i, ptr %scevgep122.i.i, align 8, !noalias !208
+  %.981.2.i.i = load double, ptr %.225.i.i.i.i, align 8, !noalias !208
+  %.993.2.i.i = fdiv contract double %.981.2.i.i, 1.000000e-30
+  %scevgep121.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -360
+  store double %.993.2.i.i, ptr %scevgep121.i.i, align 8, !noalias !208
+  %.981.3.i.i = load double, ptr %.448.i.i.i.i, align 8, !noalias !208
+  %.993.3.i.i = fdiv contract double %.981.3.i.i, 1.000000e-30
+  %scevgep120.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -352
+  store double %.993.3.i.i, ptr %scevgep120.i.i, align 8, !noalias !208
+  %.981.4.i.i = load double, ptr %.591.i.i.i.i, align 8, !noalias !208
+  %.993.4.i.i = fdiv contract double %.981.4.i.i, 1.000000e-30
+  %scevgep119.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -344
+  store double %.993.4.i.i, ptr %scevgep119.i.i, align 8, !noalias !208
+  %.981.5.i.i = load double, ptr %sunkaddr185.2.i.i.i, align 8, !noalias !208
+  %.993.5.i.i = fdiv contract double %.981.5.i.i, 1.000000e-30
+  %scevgep118.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -336
+  store double %.993.5.i.i, ptr %scevgep118.i.i, align 8, !noalias !208
+  %.981.6.i.i = load double, ptr %.1114.i.i.i.i, align 8, !noalias !208
+  %.993.6.i.i = fdiv contract double %.981.6.i.i, 1.000000e-30
+  %scevgep117.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -328
+  store double %.993.6.i.i, ptr %scevgep117.i.i, align 8, !noalias !208
+  %.981.7.i.i = load double, ptr %.1648.i.i.i.i, align 8, !noalias !208
+  %.993.7.i.i = fdiv contract double %.981.7.i.i, 1.000000e-30
+  %scevgep116.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -320
+  store double %.993.7.i.i, ptr %scevgep116.i.i, align 8, !noalias !208
+  %.981.8.i.i = load double, ptr %sunkaddr181.4.i.i.i, align 8, !noalias !208
+  %.993.8.i.i = fdiv contract double %.981.8.i.i, 1.000000e-30
+  %scevgep115.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -312
+  store double %.993.8.i.i, ptr %scevgep115.i.i, align 8, !noalias !208
+  %.981.9.i.i = load double, ptr %.2659.i.i.i.i, align 8, !noalias !208
+  %.993.9.i.i = fdiv contract double %.981.9.i.i, 1.000000e-30
+  %scevgep114.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -304
+  store double %.993.9.i.i, ptr %scevgep114.i.i, align 8, !noalias !208
+  %.981.10.i.i = load double, ptr %.3497.i.i.i.i, align 8, !noalias !208
+  %.993.10.i.i = fdiv contract double %.981.10.i.i, 1.000000e-30
+  %scevgep113.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -296
+  store double %.993.10.i.i, ptr %scevgep113.i.i, align 8, !noalias !208
+  %.981.11.i.i = load double, ptr %.4478.i.i.i.i, align 8, !noalias !208
+  %.993.11.i.i = fdiv contract double %.981.11.i.i, 1.000000e-30
+  %scevgep112.i.i470 = getelementptr i8, ptr %lsr.iv.i.i445, i64 -288
+  store double %.993.11.i.i, ptr %scevgep112.i.i470, align 8, !noalias !208
+  %.981.12.i.i = load double, ptr %sunkaddr181.6.i.i.i, align 8, !noalias !208
+  %.993.12.i.i = fdiv contract double %.981.12.i.i, 1.000000e-30
+  %scevgep111.i.i471 = getelementptr i8, ptr %lsr.iv.i.i445, i64 -280
+  store double %.993.12.i.i, ptr %scevgep111.i.i471, align 8, !noalias !208
+  %.981.13.i.i = load double, ptr %sunkaddr185.6.i.i.i, align 8, !noalias !208
+  %.993.13.i.i = fdiv contract double %.981.13.i.i, 1.000000e-30
+  %scevgep110.i.i472 = getelementptr i8, ptr %lsr.iv.i.i445, i64 -272
+  store double %.993.13.i.i, ptr %scevgep110.i.i472, align 8, !noalias !208
+  %.981.14.i.i = load double, ptr %sunkaddr181.7.i.i.i, align 8, !noalias !208
+  %.993.14.i.i = fdiv contract double %.981.14.i.i, 1.000000e-30
+  %scevgep109.i.i473 = getelementptr i8, ptr %lsr.iv.i.i445, i64 -264
+  store double %.993.14.i.i, ptr %scevgep109.i.i473, align 8, !noalias !208
+  %.981.15.i.i = load double, ptr %sunkaddr185.7.i.i.i, align 8, !noalias !208
+  %.993.15.i.i = fdiv contract double %.981.15.i.i, 1.000000e-30
+  %scevgep108.i.i474 = getelementptr i8, ptr %lsr.iv.i.i445, i64 -256
+  store double %.993.15.i.i, ptr %scevgep108.i.i474, align 8, !noalias !208
+  %.981.170.i.i = load double, ptr %scevgep170.i.i.i, align 8, !noalias !208
+  %.993.171.i.i = fdiv contract double %.981.170.i.i, 1.000000e-30
+  %scevgep125.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -248
+  store double %.993.171.i.i, ptr %scevgep125.i.i, align 8, !noalias !208
+  %.981.1.1.i.i = load double, ptr %scevgep162.i.i.i, align 8, !noalias !208
+  %.993.1.1.i.i = fdiv contract double %.981.1.1.i.i, 1.000000e-30
+  %scevgep107.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -240
+  store double %.993.1.1.i.i, ptr %scevgep107.i.i, align 8, !noalias !208
+  %.981.2.1.i.i = load double, ptr %scevgep170.1.i.i.i, align 8, !noalias !208
+  %.993.2.1.i.i = fdiv contract double %.981.2.1.i.i, 1.000000e-30
+  %scevgep106.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -232
+  store double %.993.2.1.i.i, ptr %scevgep106.i.i, align 8, !noalias !208
+  %.981.3.1.i.i = load double, ptr %scevgep168.1.i.i.i, align 8, !noalias !208
+  %.993.3.1.i.i = fdiv contract double %.981.3.1.i.i, 1.000000e-30
+  %scevgep105.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -224
+  store double %.993.3.1.i.i, ptr %scevgep105.i.i, align 8, !noalias !208
+  %.981.4.1.i.i = load double, ptr %scevgep170.2.i.i.i, align 8, !noalias !208
+  %.993.4.1.i.i = fdiv contract double %.981.4.1.i.i, 1.000000e-30
+  %scevgep104.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -216
+  store double %.993.4.1.i.i, ptr %scevgep104.i.i, align 8, !noalias !208
+  %.981.5.1.i.i = load double, ptr %.893.i.i.i.i, align 8, !noalias !208
+  %.993.5.1.i.i = fdiv contract double %.981.5.1.i.i, 1.000000e-30
+  %scevgep103.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -208
+  store double %.993.5.1.i.i, ptr %scevgep103.i.i, align 8, !noalias !208
+  %.981.6.1.i.i = load double, ptr %.1505.i.i.i.i, align 8, !noalias !208
+  %.993.6.1.i.i = fdiv contract double %.981.6.1.i.i, 1.000000e-30
+  %scevgep102.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -200
+  store double %.993.6.1.i.i, ptr %scevgep102.i.i, align 8, !noalias !208
+  %.981.7.1.i.i = load double, ptr %scevgep168.3.i.i.i, align 8, !noalias !208
+  %.993.7.1.i.i = fdiv contract double %.981.7.1.i.i, 1.000000e-30
+  %scevgep101.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -192
+  store double %.993.7.1.i.i, ptr %scevgep101.i.i, align 8, !noalias !208
+  %.981.8.1.i.i = load double, ptr %.1950.i.i.i.i, align 8, !noalias !208
+  %.993.8.1.i.i = fdiv contract double %.981.8.1.i.i, 1.000000e-30
+  %scevgep100.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -184
+  store double %.993.8.1.i.i, ptr %scevgep100.i.i, align 8, !noalias !208
+  %.981.9.1.i.i = load double, ptr %.3050.i.i.i.i, align 8, !noalias !208
+  %.993.9.1.i.i = fdiv contract double %.981.9.1.i.i, 1.000000e-30
+  %scevgep99.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -176
+  store double %.993.9.1.i.i, ptr %scevgep99.i.i, align 8, !noalias !208
+  %.981.10.1.i.i = load double, ptr %.4249.i.i.i.i, align 8, !noalias !208
+  %.993.10.1.i.i = fdiv contract double %.981.10.1.i.i, 1.000000e-30
+  %scevgep98.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -168
+  store double %.993.10.1.i.i, ptr %scevgep98.i.i, align 8, !noalias !208
+  %.981.11.1.i.i = load double, ptr %.4966.i.i.i.i, align 8, !noalias !208
+  %.993.11.1.i.i = fdiv contract double %.981.11.1.i.i, 1.000000e-30
+  %scevgep97.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -160
+  store double %.993.11.1.i.i, ptr %scevgep97.i.i, align 8, !noalias !208
+  %.981.12.1.i.i = load double, ptr %scevgep170.6.i.i.i, align 8, !noalias !208
+  %.993.12.1.i.i = fdiv contract double %.981.12.1.i.i, 1.000000e-30
+  %scevgep96.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -152
+  store double %.993.12.1.i.i, ptr %scevgep96.i.i, align 8, !noalias !208
+  %.981.13.1.i.i = load double, ptr %scevgep168.6.i.i.i, align 8, !noalias !208
+  %.993.13.1.i.i = fdiv contract double %.981.13.1.i.i, 1.000000e-30
+  %scevgep95.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -144
+  store double %.993.13.1.i.i, ptr %scevgep95.i.i, align 8, !noalias !208
+  %.981.14.1.i.i = load double, ptr %scevgep170.7.i.i.i, align 8, !noalias !208
+  %.993.14.1.i.i = fdiv contract double %.981.14.1.i.i, 1.000000e-30
+  %scevgep94.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -136
+  store double %.993.14.1.i.i, ptr %scevgep94.i.i, align 8, !noalias !208
+  %.981.15.1.i.i = load double, ptr %scevgep168.7.i.i.i, align 8, !noalias !208
+  %.993.15.1.i.i = fdiv contract double %.981.15.1.i.i, 1.000000e-30
+  %scevgep93.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -128
+  store double %.993.15.1.i.i, ptr %scevgep93.i.i, align 8, !noalias !208
+  %.981.273.i.i = load double, ptr %scevgep161.i.i.i, align 8, !noalias !208
+  %.993.274.i.i = fdiv contract double %.981.273.i.i, 1.000000e-30
+  %scevgep124.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -120
+  store double %.993.274.i.i, ptr %scevgep124.i.i, align 8, !noalias !208
+  %.981.1.2.i.i = load double, ptr %scevgep.i.i.i443, align 8, !noalias !208
+  %.993.1.2.i.i = fdiv contract double %.981.1.2.i.i, 1.000000e-30
+  %scevgep92.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -112
+  store double %.993.1.2.i.i, ptr %scevgep92.i.i, align 8, !noalias !208
+  %.981.2.2.i.i = load double, ptr %scevgep161.1.i.i.i, align 8, !noalias !208
+  %.993.2.2.i.i = fdiv contract double %.981.2.2.i.i, 1.000000e-30
+  %scevgep91.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -104
+  store double %.993.2.2.i.i, ptr %scevgep91.i.i, align 8, !noalias !208
+  %.981.3.2.i.i = load double, ptr %scevgep159.1.i.i.i, align 8, !noalias !208
+  %.993.3.2.i.i = fdiv contract double %.981.3.2.i.i, 1.000000e-30
+  %scevgep90.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -96
+  store double %.993.3.2.i.i, ptr %scevgep90.i.i, align 8, !noalias !208
+  %.981.4.2.i.i = load double, ptr %scevgep161.2.i.i.i, align 8, !noalias !208
+  %.993.4.2.i.i = fdiv contract double %.981.4.2.i.i, 1.000000e-30
+  %scevgep89.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -88
+  store double %.993.4.2.i.i, ptr %scevgep89.i.i, align 8, !noalias !208
+  %.981.5.2.i.i = load double, ptr %scevgep159.2.i.i.i, align 8, !noalias !208
+  %.993.5.2.i.i = fdiv contract double %.981.5.2.i.i, 1.000000e-30
+  %scevgep88.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -80
+  store double %.993.5.2.i.i, ptr %scevgep88.i.i, align 8, !noalias !208
+  %.981.6.2.i.i = load double, ptr %scevgep161.3.i.i.i, align 8, !noalias !208
+  %.993.6.2.i.i = fdiv contract double %.981.6.2.i.i, 1.000000e-30
+  %scevgep87.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -72
+  store double %.993.6.2.i.i, ptr %scevgep87.i.i, align 8, !noalias !208
+  %.981.7.2.i.i = load double, ptr %scevgep159.3.i.i.i, align 8, !noalias !208
+  %.993.7.2.i.i = fdiv contract double %.981.7.2.i.i, 1.000000e-30
+  %scevgep86.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -64
+  store double %.993.7.2.i.i, ptr %scevgep86.i.i, align 8, !noalias !208
+  %.981.8.2.i.i = load double, ptr %.2438.i.i.i.i, align 8, !noalias !208
+  %.993.8.2.i.i = fdiv contract double %.981.8.2.i.i, 1.000000e-30
+  %scevgep85.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -56
+  store double %.993.8.2.i.i, ptr %scevgep85.i.i, align 8, !noalias !208
+  %.981.9.2.i.i = load double, ptr %scevgep159.4.i.i.i, align 8, !noalias !208
+  %.993.9.2.i.i = fdiv contract double %.981.9.2.i.i, 1.000000e-30
+  %scevgep84.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -48
+  store double %.993.9.2.i.i, ptr %scevgep84.i.i, align 8, !noalias !208
+  %.981.10.2.i.i = load double, ptr %scevgep161.5.i.i.i, align 8, !noalias !208
+  %.993.10.2.i.i = fdiv contract double %.981.10.2.i.i, 1.000000e-30
+  %scevgep83.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -40
+  store double %.993.10.2.i.i, ptr %scevgep83.i.i, align 8, !noalias !208
+  %.981.11.2.i.i = load double, ptr %scevgep159.5.i.i.i, align 8, !noalias !208
+  %.993.11.2.i.i = fdiv contract double %.981.11.2.i.i, 1.000000e-30
+  %scevgep82.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -32
+  store double %.993.11.2.i.i, ptr %scevgep82.i.i, align 8, !noalias !208
+  %.981.12.2.i.i = load double, ptr %scevgep161.6.i.i.i, align 8, !noalias !208
+  %.993.12.2.i.i = fdiv contract double %.981.12.2.i.i, 1.000000e-30
+  %scevgep81.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -24
+  store double %.993.12.2.i.i, ptr %scevgep81.i.i, align 8, !noalias !208
+  %.981.13.2.i.i = load double, ptr %scevgep159.6.i.i.i, align 8, !noalias !208
+  %.993.13.2.i.i = fdiv contract double %.981.13.2.i.i, 1.000000e-30
+  %scevgep80.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -16
+  store double %.993.13.2.i.i, ptr %scevgep80.i.i, align 8, !noalias !208
+  %.981.14.2.i.i = load double, ptr %scevgep161.7.i.i.i, align 8, !noalias !208
+  %.993.14.2.i.i = fdiv contract double %.981.14.2.i.i, 1.000000e-30
+  %scevgep79.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 -8
+  store double %.993.14.2.i.i, ptr %scevgep79.i.i, align 8, !noalias !208
+  %.981.15.2.i.i = load double, ptr %scevgep159.7.i.i.i, align 8, !noalias !208
+  %.993.15.2.i.i = fdiv contract double %.981.15.2.i.i, 1.000000e-30
+  store double %.993.15.2.i.i, ptr %lsr.iv.i.i445, align 8, !noalias !208
+  %scevgep78.i.i = getelementptr i8, ptr %lsr.iv.i.i445, i64 384
+  %exitcond319.not.i.i = icmp eq i64 %.333.i.i469, 5
+  br i1 %exitcond319.not.i.i, label %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B238.if.i.i444
+
+_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B942.if.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i
+  %excinfo.3.0.i = phi ptr [ null, %B942.if.i.i ], [ %excinfo.5.1.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i ]
+  %common.ret.op.i.i = phi i32 [ 0, %B942.if.i.i ], [ %common.ret.op.i.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i ]
+  %cond1.i451 = icmp eq i32 %common.ret.op.i.i, 0
+  br i1 %cond1.i451, label %B0.endif.endif.endif.i, label %_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, !prof !23
 
 B0.endif.endif.endif.i:                           ; preds = %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %.675.i = getelementptr inbounds nuw i8, ptr %arg.state.10.1.4, i64 128
   %.75.i.i = load double, ptr %arg.state.6.4, align 8, !noalias !228
   %.402.i.i = fsub contract double 1.000000e+00, %.75.i.i
-  %.403.i.i457 = fadd contract double %.75.i.i, 1.000000e+00
-  %.404.i.i458 = fmul contract double %.75.i.i, %.403.i.i457
-  %.408.i.i = fdiv contract double %.402.i.i, %.404.i.i458
+  %.403.i.i453 = fadd contract double %.75.i.i, 1.000000e+00
+  %.404.i.i454 = fmul contract double %.75.i.i, %.403.i.i453
+  %.408.i.i = fdiv contract double %.402.i.i, %.404.i.i454
   %.409.i.i = fmul contract double %.408.i.i, 5.000000e-01
-  %.46.i.i.i.i3.i = fmul contract double %.403.i.i457, %.403.i.i457
+  %.46.i.i.i.i4.i = fmul contract double %.403.i.i453, %.403.i.i453
   %.77.i.i.i = fadd contract double %.75.i.i, -1.000000e+00
-  %.45.i.i.i4.i = tail call contract double @llvm.fabs.f64(double %.403.i.i457)
-  %.59.i.i.i5.i = fcmp contract oeq double %.403.i.i457, 0.000000e+00
+  %.45.i.i.i5.i = tail call contract double @llvm.fabs.f64(double %.403.i.i453)
+  %.59.i.i.i6.i = fcmp contract oeq double %.403.i.i453, 0.000000e+00
   %arg.out.4.repack1402.i.i.i = getelementptr inbounds nuw i8, ptr %arg.state.10.1.4, i64 8
   %.593.i.i.i = getelementptr i8, ptr %arg.state.10.1.4, i64 32
   %.593.repack1404.i.i.i = getelementptr i8, ptr %arg.state.10.1.4, i64 40
@@ -7109,151 +7191,151 @@ B0.endif.endif.endif.i:                           ; preds = %_ZN17bnserve_surrog
   %.2081.repack1418.i.i.i = getelementptr i8, ptr %arg.state.10.1.4, i64 104
   %.3569.i.i.i = getelementptr i8, ptr %arg.state.10.1.4, i64 112
   %.3569.repack1430.i.i.i = getelementptr i8, ptr %arg.state.10.1.4, i64 120
-  %sunkaddr23.i.i = getelementptr i8, ptr %arg.state.10.1.4, i64 16
-  %sunkaddr24.i.i = getelementptr i8, ptr %arg.state.10.1.4, i64 24
+  %sunkaddr23.i8.i = getelementptr i8, ptr %arg.state.10.1.4, i64 16
+  %sunkaddr24.i9.i = getelementptr i8, ptr %arg.state.10.1.4, i64 24
   br label %B80.if.i.i
 
 B80.if.i.i:                                       ; preds = %B368.endif.i.i, %B0.endif.endif.endif.i
   %excinfo.1.0.i.i = phi ptr [ null, %B0.endif.endif.endif.i ], [ %excinfo.1.1.i.i, %B368.endif.i.i ]
-  %lsr.iv.i6.i = phi i64 [ 0, %B0.endif.endif.endif.i ], [ %lsr.iv.next.i52.i, %B368.endif.i.i ]
-  %.202.i.i459 = icmp eq i64 %lsr.iv.i6.i, 0
-  %..i7.i = select i1 %.202.i.i459, double 1.000000e-30, double 0.000000e+00
-  %.266.i.i = load double, ptr %sunkaddr142.i.i, align 8, !noalias !228
-  %.268.i.i = icmp eq i64 %lsr.iv.i6.i, 192
+  %lsr.iv.i19.i = phi i64 [ 0, %B0.endif.endif.endif.i ], [ %lsr.iv.next.i.i467, %B368.endif.i.i ]
+  %.202.i.i455 = icmp eq i64 %lsr.iv.i19.i, 0
+  %..i20.i = select i1 %.202.i.i455, double 1.000000e-30, double 0.000000e+00
+  %.266.i.i = load double, ptr %sunkaddr7.i.i, align 8, !noalias !228
+  %.268.i.i = icmp eq i64 %lsr.iv.i19.i, 192
   %"$phi258.4.2.1.i.i" = select i1 %.268.i.i, double 1.000000e-30, double 0.000000e+00
-  %.331.i.i = load double, ptr %sunkaddr143.i.i444, align 8, !noalias !228
-  %.333.i.i460 = icmp eq i64 %lsr.iv.i6.i, 256
-  %"$phi368.4.2.1.i.i" = select i1 %.333.i.i460, double 1.000000e-30, double 0.000000e+00
-  %.58.i.i.i.i8.i = fmul contract double %.403.i.i457, %..i7.i
-  %.80.i.i.i.i9.i = fadd contract double %.58.i.i.i.i8.i, %.58.i.i.i.i8.i
-  %.52.i.i.i.i10.i = select contract i1 %.202.i.i459, double 0x3379B604AAACA627, double 0.000000e+00
-  %.70.i.i.i.i11.i = fsub contract double %.46.i.i.i.i3.i, %.52.i.i.i.i10.i
-  %.45.i.i.i.i12.i = tail call contract double @llvm.fabs.f64(double %.70.i.i.i.i11.i)
-  %.50.i.i.i.i13.i = tail call contract double @llvm.fabs.f64(double %.80.i.i.i.i9.i)
-  %.56.i.i.i.i14.i = fcmp contract ult double %.45.i.i.i.i12.i, %.50.i.i.i.i13.i
-  br i1 %.56.i.i.i.i14.i, label %B270.i.i.i.i69.i, label %B132.i.i.i.i15.i
+  %.331.i.i = load double, ptr %sunkaddr8.i.i, align 8, !noalias !228
+  %.333.i21.i = icmp eq i64 %lsr.iv.i19.i, 256
+  %"$phi368.4.2.1.i.i" = select i1 %.333.i21.i, double 1.000000e-30, double 0.000000e+00
+  %.58.i.i.i.i22.i = fmul contract double %.403.i.i453, %..i20.i
+  %.80.i.i.i.i23.i = fadd contract double %.58.i.i.i.i22.i, %.58.i.i.i.i22.i
+  %.52.i.i.i.i24.i = select contract i1 %.202.i.i455, double 0x3379B604AAACA627, double 0.000000e+00
+  %.70.i.i.i.i25.i = fsub contract double %.46.i.i.i.i4.i, %.52.i.i.i.i24.i
+  %.45.i.i.i.i26.i = tail call contract double @llvm.fabs.f64(double %.70.i.i.i.i25.i)
+  %.50.i.i.i.i27.i = tail call contract double @llvm.fabs.f64(double %.80.i.i.i.i23.i)
+  %.56.i.i.i.i28.i = fcmp contract ult double %.45.i.i.i.i26.i, %.50.i.i.i.i27.i
+  br i1 %.56.i.i.i.i28.i, label %B270.i.i.i.i93.i, label %B132.i.i.i.i29.i
 
-B132.i.i.i.i15.i:                                 ; preds = %B80.if.i.i
-  %.59.i.i.i.i16.i = fcmp contract oeq double %.70.i.i.i.i11.i, 0.000000e+00
-  br i1 %.59.i.i.i.i16.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B174.endif.i.i.i.i17.i, !prof !219
+B132.i.i.i.i29.i:                                 ; preds = %B80.if.i.i
+  %.59.i.i.i.i30.i = fcmp contract oeq double %.70.i.i.i.i25.i, 0.000000e+00
+  br i1 %.59.i.i.i.i30.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B174.endif.i.i.i.i31.i, !prof !219
 
-B270.i.i.i.i69.i:                                 ; preds = %B80.if.i.i
-  %.132.i.i.i.i70.i = fcmp contract ult double %.50.i.i.i.i13.i, %.45.i.i.i.i12.i
-  br i1 %.132.i.i.i.i70.i, label %B0.endif.i.i29.i, label %B282.i.i.i.i71.i
+B270.i.i.i.i93.i:                                 ; preds = %B80.if.i.i
+  %.132.i.i.i.i94.i = fcmp contract ult double %.50.i.i.i.i27.i, %.45.i.i.i.i26.i
+  br i1 %.132.i.i.i.i94.i, label %B0.endif.i.i43.i, label %B282.i.i.i.i95.i
 
-B282.i.i.i.i71.i:                                 ; preds = %B270.i.i.i.i69.i
-  %.136.i.i.i.i72.i = fcmp contract oeq double %.80.i.i.i.i9.i, 0.000000e+00
-  br i1 %.136.i.i.i.i72.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B282.endif.i.i.i.i73.i, !prof !220
+B282.i.i.i.i95.i:                                 ; preds = %B270.i.i.i.i93.i
+  %.136.i.i.i.i96.i = fcmp contract oeq double %.80.i.i.i.i23.i, 0.000000e+00
+  br i1 %.136.i.i.i.i96.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B282.endif.i.i.i.i97.i, !prof !220
 
-B174.endif.i.i.i.i17.i:                           ; preds = %B132.i.i.i.i15.i
-  %.89.i.i.i.i18.i = fdiv contract double %.80.i.i.i.i9.i, %.70.i.i.i.i11.i
-  %.91.i.i.i.i19.i = fmul contract double %.80.i.i.i.i9.i, %.89.i.i.i.i18.i
-  %.93.i.i.i.i20.i = fadd contract double %.70.i.i.i.i11.i, %.91.i.i.i.i19.i
-  %.98.i.i.i.i21.i = fcmp contract oeq double %.93.i.i.i.i20.i, 0.000000e+00
-  br i1 %.98.i.i.i.i21.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i.i.i.i22.i, !prof !220
+B174.endif.i.i.i.i31.i:                           ; preds = %B132.i.i.i.i29.i
+  %.89.i.i.i.i32.i = fdiv contract double %.80.i.i.i.i23.i, %.70.i.i.i.i25.i
+  %.91.i.i.i.i33.i = fmul contract double %.80.i.i.i.i23.i, %.89.i.i.i.i32.i
+  %.93.i.i.i.i34.i = fadd contract double %.70.i.i.i.i25.i, %.91.i.i.i.i33.i
+  %.98.i.i.i.i35.i = fcmp contract oeq double %.93.i.i.i.i34.i, 0.000000e+00
+  br i1 %.98.i.i.i.i35.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i.i.i.i36.i, !prof !220
 
-B174.endif.endif.i.i.i.i22.i:                     ; preds = %B174.endif.i.i.i.i17.i
-  %.95.i.i.i.i23.i = fmul contract double %..i7.i, %.89.i.i.i.i18.i
-  %.97.i.i.i.i24.i = fadd contract double %.75.i.i, %.95.i.i.i.i23.i
-  %.105.i.i.i.i25.i = fdiv contract double %.97.i.i.i.i24.i, %.93.i.i.i.i20.i
-  %.107.i.i.i.i26.i = fmul contract double %.75.i.i, %.89.i.i.i.i18.i
-  %.109.i.i.i.i27.i = fsub contract double %..i7.i, %.107.i.i.i.i26.i
-  %.117.i.i.i.i28.i = fdiv contract double %.109.i.i.i.i27.i, %.93.i.i.i.i20.i
-  br label %B0.endif.i.i29.i
+B174.endif.endif.i.i.i.i36.i:                     ; preds = %B174.endif.i.i.i.i31.i
+  %.95.i.i.i.i37.i = fmul contract double %..i20.i, %.89.i.i.i.i32.i
+  %.97.i.i.i.i38.i = fadd contract double %.75.i.i, %.95.i.i.i.i37.i
+  %.105.i.i.i.i39.i = fdiv contract double %.97.i.i.i.i38.i, %.93.i.i.i.i34.i
+  %.107.i.i.i.i40.i = fmul contract double %.75.i.i, %.89.i.i.i.i32.i
+  %.109.i.i.i.i41.i = fsub contract double %..i20.i, %.107.i.i.i.i40.i
+  %.117.i.i.i.i42.i = fdiv contract double %.109.i.i.i.i41.i, %.93.i.i.i.i34.i
+  br label %B0.endif.i.i43.i
 
-B282.endif.i.i.i.i73.i:                           ; preds = %B282.i.i.i.i71.i
-  %.143.i.i.i.i74.i = fdiv contract double %.70.i.i.i.i11.i, %.80.i.i.i.i9.i
-  %.145.i.i.i.i75.i = fmul contract double %.70.i.i.i.i11.i, %.143.i.i.i.i74.i
-  %.147.i.i.i.i76.i = fadd contract double %.80.i.i.i.i9.i, %.145.i.i.i.i75.i
-  %.152.i.i.i.i77.i = fcmp contract oeq double %.147.i.i.i.i76.i, 0.000000e+00
-  br i1 %.152.i.i.i.i77.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i.i.i.i78.i, !prof !220
+B282.endif.i.i.i.i97.i:                           ; preds = %B282.i.i.i.i95.i
+  %.143.i.i.i.i98.i = fdiv contract double %.70.i.i.i.i25.i, %.80.i.i.i.i23.i
+  %.145.i.i.i.i99.i = fmul contract double %.70.i.i.i.i25.i, %.143.i.i.i.i98.i
+  %.147.i.i.i.i100.i = fadd contract double %.80.i.i.i.i23.i, %.145.i.i.i.i99.i
+  %.152.i.i.i.i101.i = fcmp contract oeq double %.147.i.i.i.i100.i, 0.000000e+00
+  br i1 %.152.i.i.i.i101.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i.i.i.i102.i, !prof !220
 
-B282.endif.endif.i.i.i.i78.i:                     ; preds = %B282.endif.i.i.i.i73.i
-  %.149.i.i.i.i79.i = fmul contract double %.75.i.i, %.143.i.i.i.i74.i
-  %.151.i.i.i.i80.i = fadd contract double %..i7.i, %.149.i.i.i.i79.i
-  %.159.i.i.i.i81.i = fdiv contract double %.151.i.i.i.i80.i, %.147.i.i.i.i76.i
-  %.161.i.i.i.i82.i = fmul contract double %..i7.i, %.143.i.i.i.i74.i
-  %.163.i.i.i.i83.i = fsub contract double %.161.i.i.i.i82.i, %.75.i.i
-  %.171.i.i.i.i84.i = fdiv contract double %.163.i.i.i.i83.i, %.147.i.i.i.i76.i
-  br label %B0.endif.i.i29.i
+B282.endif.endif.i.i.i.i102.i:                    ; preds = %B282.endif.i.i.i.i97.i
+  %.149.i.i.i.i103.i = fmul contract double %.75.i.i, %.143.i.i.i.i98.i
+  %.151.i.i.i.i104.i = fadd contract double %..i20.i, %.149.i.i.i.i103.i
+  %.159.i.i.i.i105.i = fdiv contract double %.151.i.i.i.i104.i, %.147.i.i.i.i100.i
+  %.161.i.i.i.i106.i = fmul contract double %..i20.i, %.143.i.i.i.i98.i
+  %.163.i.i.i.i107.i = fsub contract double %.161.i.i.i.i106.i, %.75.i.i
+  %.171.i.i.i.i108.i = fdiv contract double %.163.i.i.i.i107.i, %.147.i.i.i.i100.i
+  br label %B0.endif.i.i43.i
 
-B0.endif.i.i29.i:                                 ; preds = %B282.endif.endif.i.i.i.i78.i, %B174.endif.endif.i.i.i.i22.i, %B270.i.i.i.i69.i
-  %.22.sroa.4.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i69.i ], [ %.171.i.i.i.i84.i, %B282.endif.endif.i.i.i.i78.i ], [ %.117.i.i.i.i28.i, %B174.endif.endif.i.i.i.i22.i ]
-  %.22.sroa.0.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i69.i ], [ %.159.i.i.i.i81.i, %B282.endif.endif.i.i.i.i78.i ], [ %.105.i.i.i.i25.i, %B174.endif.endif.i.i.i.i22.i ]
-  %.56.i.i.i30.i = fcmp contract ult double %.45.i.i.i4.i, %..i7.i
-  br i1 %.56.i.i.i30.i, label %B270.i.i.i53.i, label %B132.i.i.i31.i
+B0.endif.i.i43.i:                                 ; preds = %B282.endif.endif.i.i.i.i102.i, %B174.endif.endif.i.i.i.i36.i, %B270.i.i.i.i93.i
+  %.22.sroa.4.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i93.i ], [ %.171.i.i.i.i108.i, %B282.endif.endif.i.i.i.i102.i ], [ %.117.i.i.i.i42.i, %B174.endif.endif.i.i.i.i36.i ]
+  %.22.sroa.0.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i93.i ], [ %.159.i.i.i.i105.i, %B282.endif.endif.i.i.i.i102.i ], [ %.105.i.i.i.i39.i, %B174.endif.endif.i.i.i.i36.i ]
+  %.56.i.i.i44.i = fcmp contract ult double %.45.i.i.i5.i, %..i20.i
+  br i1 %.56.i.i.i44.i, label %B270.i.i.i77.i, label %B132.i.i.i45.i
 
-B132.i.i.i31.i:                                   ; preds = %B0.endif.i.i29.i
-  br i1 %.59.i.i.i5.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B174.endif.i.i.i32.i, !prof !219
+B132.i.i.i45.i:                                   ; preds = %B0.endif.i.i43.i
+  br i1 %.59.i.i.i6.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B174.endif.i.i.i46.i, !prof !219
 
-B270.i.i.i53.i:                                   ; preds = %B0.endif.i.i29.i
-  %.132.i.i.i54.i = fcmp contract ult double %..i7.i, %.45.i.i.i4.i
-  br i1 %.132.i.i.i54.i, label %B0.endif.endif.i.i43.i, label %B282.i.i.i55.i
+B270.i.i.i77.i:                                   ; preds = %B0.endif.i.i43.i
+  %.132.i.i.i78.i = fcmp contract ult double %..i20.i, %.45.i.i.i5.i
+  br i1 %.132.i.i.i78.i, label %B0.endif.endif.i.i57.i, label %B282.i.i.i79.i
 
-B282.i.i.i55.i:                                   ; preds = %B270.i.i.i53.i
-  %.136.i.i.i56.i = fcmp contract oeq double %..i7.i, 0.000000e+00
-  br i1 %.136.i.i.i56.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B282.endif.i.i.i57.i, !prof !220
+B282.i.i.i79.i:                                   ; preds = %B270.i.i.i77.i
+  %.136.i.i.i80.i = fcmp contract oeq double %..i20.i, 0.000000e+00
+  br i1 %.136.i.i.i80.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B282.endif.i.i.i81.i, !prof !220
 
-B174.endif.i.i.i32.i:                             ; preds = %B132.i.i.i31.i
-  %.89.i.i.i33.i = fdiv contract double %..i7.i, %.403.i.i457
-  %.91.i.i.i34.i = fmul contract double %..i7.i, %.89.i.i.i33.i
-  %.93.i.i.i35.i = fadd contract double %.403.i.i457, %.91.i.i.i34.i
-  %.98.i.i.i36.i = fcmp contract oeq double %.93.i.i.i35.i, 0.000000e+00
-  br i1 %.98.i.i.i36.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i.i.i37.i, !prof !220
+B174.endif.i.i.i46.i:                             ; preds = %B132.i.i.i45.i
+  %.89.i.i.i47.i = fdiv contract double %..i20.i, %.403.i.i453
+  %.91.i.i.i48.i = fmul contract double %..i20.i, %.89.i.i.i47.i
+  %.93.i.i.i49.i = fadd contract double %.403.i.i453, %.91.i.i.i48.i
+  %.98.i.i.i50.i = fcmp contract oeq double %.93.i.i.i49.i, 0.000000e+00
+  br i1 %.98.i.i.i50.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B174.endif.endif.i.i.i51.i, !prof !220
 
-B174.endif.endif.i.i.i37.i:                       ; preds = %B174.endif.i.i.i32.i
-  %.97.i.i.i38.i = fadd contract double %.77.i.i.i, %.91.i.i.i34.i
-  %.105.i.i.i39.i = fdiv contract double %.97.i.i.i38.i, %.93.i.i.i35.i
-  %.107.i.i.i40.i = fmul contract double %.77.i.i.i, %.89.i.i.i33.i
-  %.109.i.i.i41.i = fsub contract double %..i7.i, %.107.i.i.i40.i
-  %.117.i.i.i42.i = fdiv contract double %.109.i.i.i41.i, %.93.i.i.i35.i
-  br label %B0.endif.endif.i.i43.i
+B174.endif.endif.i.i.i51.i:                       ; preds = %B174.endif.i.i.i46.i
+  %.97.i.i.i52.i = fadd contract double %.77.i.i.i, %.91.i.i.i48.i
+  %.105.i.i.i53.i = fdiv contract double %.97.i.i.i52.i, %.93.i.i.i49.i
+  %.107.i.i.i54.i = fmul contract double %.77.i.i.i, %.89.i.i.i47.i
+  %.109.i.i.i55.i = fsub contract double %..i20.i, %.107.i.i.i54.i
+  %.117.i.i.i56.i = fdiv contract double %.109.i.i.i55.i, %.93.i.i.i49.i
+  br label %B0.endif.endif.i.i57.i
 
-B282.endif.i.i.i57.i:                             ; preds = %B282.i.i.i55.i
-  %.143.i.i.i58.i = fdiv contract double %.403.i.i457, %..i7.i
-  %.145.i.i.i59.i = fmul contract double %.403.i.i457, %.143.i.i.i58.i
-  %.147.i.i.i60.i = fadd contract double %..i7.i, %.145.i.i.i59.i
-  %.152.i.i.i61.i = fcmp contract oeq double %.147.i.i.i60.i, 0.000000e+00
-  br i1 %.152.i.i.i61.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i.i.i62.i, !prof !220
+B282.endif.i.i.i81.i:                             ; preds = %B282.i.i.i79.i
+  %.143.i.i.i82.i = fdiv contract double %.403.i.i453, %..i20.i
+  %.145.i.i.i83.i = fmul contract double %.403.i.i453, %.143.i.i.i82.i
+  %.147.i.i.i84.i = fadd contract double %..i20.i, %.145.i.i.i83.i
+  %.152.i.i.i85.i = fcmp contract oeq double %.147.i.i.i84.i, 0.000000e+00
+  br i1 %.152.i.i.i85.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, label %B282.endif.endif.i.i.i86.i, !prof !220
 
-B282.endif.endif.i.i.i62.i:                       ; preds = %B282.endif.i.i.i57.i
-  %.149.i.i.i63.i = fmul contract double %.77.i.i.i, %.143.i.i.i58.i
-  %.151.i.i.i64.i = fadd contract double %..i7.i, %.149.i.i.i63.i
-  %.159.i.i.i65.i = fdiv contract double %.151.i.i.i64.i, %.147.i.i.i60.i
-  %.161.i.i.i66.i = fmul contract double %..i7.i, %.143.i.i.i58.i
-  %.163.i.i.i67.i = fsub contract double %.161.i.i.i66.i, %.77.i.i.i
-  %.171.i.i.i68.i = fdiv contract double %.163.i.i.i67.i, %.147.i.i.i60.i
-  br label %B0.endif.endif.i.i43.i
+B282.endif.endif.i.i.i86.i:                       ; preds = %B282.endif.i.i.i81.i
+  %.149.i.i.i87.i = fmul contract double %.77.i.i.i, %.143.i.i.i82.i
+  %.151.i.i.i88.i = fadd contract double %..i20.i, %.149.i.i.i87.i
+  %.159.i.i.i89.i = fdiv contract double %.151.i.i.i88.i, %.147.i.i.i84.i
+  %.161.i.i.i90.i = fmul contract double %..i20.i, %.143.i.i.i82.i
+  %.163.i.i.i91.i = fsub contract double %.161.i.i.i90.i, %.77.i.i.i
+  %.171.i.i.i92.i = fdiv contract double %.163.i.i.i91.i, %.147.i.i.i84.i
+  br label %B0.endif.endif.i.i57.i
 
-B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.i.i62.i, %B174.endif.endif.i.i.i37.i, %B270.i.i.i53.i
-  %.118.sroa.4.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i53.i ], [ %.171.i.i.i68.i, %B282.endif.endif.i.i.i62.i ], [ %.117.i.i.i42.i, %B174.endif.endif.i.i.i37.i ]
-  %.118.sroa.0.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i53.i ], [ %.159.i.i.i65.i, %B282.endif.endif.i.i.i62.i ], [ %.105.i.i.i39.i, %B174.endif.endif.i.i.i37.i ]
+B0.endif.endif.i.i57.i:                           ; preds = %B282.endif.endif.i.i.i86.i, %B174.endif.endif.i.i.i51.i, %B270.i.i.i77.i
+  %.118.sroa.4.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i77.i ], [ %.171.i.i.i92.i, %B282.endif.endif.i.i.i86.i ], [ %.117.i.i.i56.i, %B174.endif.endif.i.i.i51.i ]
+  %.118.sroa.0.0.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i77.i ], [ %.159.i.i.i89.i, %B282.endif.endif.i.i.i86.i ], [ %.105.i.i.i53.i, %B174.endif.endif.i.i.i51.i ]
   %.163.i.i.i = fadd contract double %.266.i.i, %.331.i.i
   %.166.i.i.i = fadd contract double %"$phi258.4.2.1.i.i", %"$phi368.4.2.1.i.i"
-  %.58.i.i.i44.i = fmul contract double %.166.i.i.i, 5.000000e-01
-  %.64.i.i.i45.i = fmul contract double %.163.i.i.i, 0.000000e+00
-  %.80.i.i.i46.i = fadd contract double %.64.i.i.i45.i, %.58.i.i.i44.i
-  %.46.i.i.i47.i = fmul contract double %.163.i.i.i, 5.000000e-01
-  %.52.i.i.i48.i = fmul contract double %.166.i.i.i, 0.000000e+00
-  %.70.i.i.i49.i = fsub contract double %.46.i.i.i47.i, %.52.i.i.i48.i
+  %.58.i.i.i58.i = fmul contract double %.166.i.i.i, 5.000000e-01
+  %.64.i.i.i59.i = fmul contract double %.163.i.i.i, 0.000000e+00
+  %.80.i.i.i60.i = fadd contract double %.64.i.i.i59.i, %.58.i.i.i58.i
+  %.46.i.i.i61.i = fmul contract double %.163.i.i.i, 5.000000e-01
+  %.52.i.i.i62.i = fmul contract double %.166.i.i.i, 0.000000e+00
+  %.70.i.i.i63.i = fsub contract double %.46.i.i.i61.i, %.52.i.i.i62.i
   %.58.i6.i.i.i = fmul contract double %.118.sroa.4.0.i.i.i, 5.000000e-01
   %.64.i7.i.i.i = fmul contract double %.118.sroa.0.0.i.i.i, 0.000000e+00
   %.80.i8.i.i.i = fadd contract double %.58.i6.i.i.i, %.64.i7.i.i.i
   %.46.i9.i.i.i = fmul contract double %.118.sroa.0.0.i.i.i, 5.000000e-01
   %.52.i10.i.i.i = fmul contract double %.118.sroa.4.0.i.i.i, 0.000000e+00
   %.70.i11.i.i.i = fsub contract double %.46.i9.i.i.i, %.52.i10.i.i.i
-  %.257.i.i.i461 = fsub contract double %.266.i.i, %.331.i.i
-  %.260.i.i.i462 = fsub contract double %"$phi258.4.2.1.i.i", %"$phi368.4.2.1.i.i"
-  %.58.i13.i.i.i = fmul contract double %.260.i.i.i462, %.70.i11.i.i.i
-  %.64.i14.i.i.i = fmul contract double %.257.i.i.i461, %.80.i8.i.i.i
+  %.257.i.i.i456 = fsub contract double %.266.i.i, %.331.i.i
+  %.260.i.i.i457 = fsub contract double %"$phi258.4.2.1.i.i", %"$phi368.4.2.1.i.i"
+  %.58.i13.i.i.i = fmul contract double %.260.i.i.i457, %.70.i11.i.i.i
+  %.64.i14.i.i.i = fmul contract double %.257.i.i.i456, %.80.i8.i.i.i
   %.80.i15.i.i.i = fadd contract double %.64.i14.i.i.i, %.58.i13.i.i.i
-  %.46.i16.i.i.i = fmul contract double %.257.i.i.i461, %.70.i11.i.i.i
-  %.52.i17.i.i.i = fmul contract double %.260.i.i.i462, %.80.i8.i.i.i
+  %.46.i16.i.i.i = fmul contract double %.257.i.i.i456, %.70.i11.i.i.i
+  %.52.i17.i.i.i = fmul contract double %.260.i.i.i457, %.80.i8.i.i.i
   %.70.i18.i.i.i = fsub contract double %.46.i16.i.i.i, %.52.i17.i.i.i
-  %.58.i20.i.i.i = fmul contract double %.257.i.i.i461, %.260.i.i.i462
+  %.58.i20.i.i.i = fmul contract double %.257.i.i.i456, %.260.i.i.i457
   %.80.i22.i.i.i = fadd contract double %.58.i20.i.i.i, %.58.i20.i.i.i
-  %.46.i23.i.i.i = fmul contract double %.257.i.i.i461, %.257.i.i.i461
-  %.52.i24.i.i.i = fmul contract double %.260.i.i.i462, %.260.i.i.i462
+  %.46.i23.i.i.i = fmul contract double %.257.i.i.i456, %.257.i.i.i456
+  %.52.i24.i.i.i = fmul contract double %.260.i.i.i457, %.260.i.i.i457
   %.70.i25.i.i.i = fsub contract double %.46.i23.i.i.i, %.52.i24.i.i.i
   %.58.i27.i.i.i = fmul contract double %.80.i22.i.i.i, 2.500000e-01
   %.64.i28.i.i.i = fmul contract double %.70.i25.i.i.i, 0.000000e+00
@@ -7282,19 +7364,19 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.58.i48.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, 0x3FFD555555555555
   %.80.i50.i.i.i = fadd contract double %.58.i48.i.i.i, %.64.i35.i.i.i
   %.46.i51.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, 0x3FFD555555555555
-  %442 = fsub contract double %.52.i38.i.i.i, %.46.i51.i.i.i
-  %.692.i.i.i463 = fadd contract double %442, 3.375000e+00
+  %443 = fsub contract double %.52.i38.i.i.i, %.46.i51.i.i.i
+  %.692.i.i.i458 = fadd contract double %443, 3.375000e+00
   %.695.i.i.i = fsub contract double 0.000000e+00, %.80.i50.i.i.i
-  %.58.i55.i.i.i = fmul contract double %.80.i.i.i46.i, %.692.i.i.i463
-  %.64.i56.i.i.i = fmul contract double %.70.i.i.i49.i, %.695.i.i.i
+  %.58.i55.i.i.i = fmul contract double %.80.i.i.i60.i, %.692.i.i.i458
+  %.64.i56.i.i.i = fmul contract double %.70.i.i.i63.i, %.695.i.i.i
   %.80.i57.i.i.i = fadd contract double %.64.i56.i.i.i, %.58.i55.i.i.i
-  %.46.i58.i.i.i = fmul contract double %.70.i.i.i49.i, %.692.i.i.i463
-  %.52.i59.i.i.i = fmul contract double %.80.i.i.i46.i, %.695.i.i.i
+  %.46.i58.i.i.i = fmul contract double %.70.i.i.i63.i, %.692.i.i.i458
+  %.52.i59.i.i.i = fmul contract double %.80.i.i.i60.i, %.695.i.i.i
   %.70.i60.i.i.i = fsub contract double %.46.i58.i.i.i, %.52.i59.i.i.i
   %.744.i.i.i = fadd contract double %.70.i60.i.i.i, %.70.i46.i.i.i
-  %.747.i.i.i464 = fadd contract double %.80.i57.i.i.i, %.80.i43.i.i.i
+  %.747.i.i.i459 = fadd contract double %.80.i57.i.i.i, %.80.i43.i.i.i
   store double %.744.i.i.i, ptr %.778.i.i.i, align 8, !noalias !232
-  store double %.747.i.i.i464, ptr %.778.repack1406.i.i.i, align 8, !noalias !232
+  store double %.747.i.i.i459, ptr %.778.repack1406.i.i.i, align 8, !noalias !232
   %.58.i62.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, 0x401167EA53FA94FF
   %.80.i64.i.i.i = fadd contract double %.58.i62.i.i.i, %.64.i35.i.i.i
   %.46.i65.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, 0x401167EA53FA94FF
@@ -7307,10 +7389,10 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.46.i72.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, %.843.i.i.i
   %.52.i73.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, %.846.i.i.i
   %.70.i74.i.i.i = fsub contract double %.46.i72.i.i.i, %.52.i73.i.i.i
-  %.903.i.i.i465 = fadd contract double %.70.i74.i.i.i, 0xC00AE15A0AB4FC95
-  %.906.i.i.i466 = fadd contract double %.80.i71.i.i.i, 0.000000e+00
-  store double %.903.i.i.i465, ptr %.937.i.i.i, align 8, !noalias !232
-  store double %.906.i.i.i466, ptr %.937.repack1408.i.i.i, align 8, !noalias !232
+  %.903.i.i.i460 = fadd contract double %.70.i74.i.i.i, 0xC00AE15A0AB4FC95
+  %.906.i.i.i461 = fadd contract double %.80.i71.i.i.i, 0.000000e+00
+  store double %.903.i.i.i460, ptr %.937.i.i.i, align 8, !noalias !232
+  store double %.906.i.i.i461, ptr %.937.repack1408.i.i.i, align 8, !noalias !232
   %.58.i76.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, 6.000000e+00
   %.80.i78.i.i.i = fadd contract double %.58.i76.i.i.i, %.64.i35.i.i.i
   %.46.i79.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, 6.000000e+00
@@ -7327,56 +7409,56 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.80.i92.i.i.i = fadd contract double %.64.i42.i.i.i, %.58.i90.i.i.i
   %.46.i93.i.i.i = fmul contract double %.70.i18.i.i.i, 3.062500e+00
   %.70.i95.i.i.i = fsub contract double %.46.i93.i.i.i, %.52.i45.i.i.i
-  %.58.i97.i.i.i = fmul contract double %.80.i.i.i46.i, %.70.i95.i.i.i
-  %.64.i98.i.i.i = fmul contract double %.70.i.i.i49.i, %.80.i92.i.i.i
+  %.58.i97.i.i.i = fmul contract double %.80.i.i.i60.i, %.70.i95.i.i.i
+  %.64.i98.i.i.i = fmul contract double %.70.i.i.i63.i, %.80.i92.i.i.i
   %.80.i99.i.i.i = fadd contract double %.64.i98.i.i.i, %.58.i97.i.i.i
-  %.46.i100.i.i.i = fmul contract double %.70.i.i.i49.i, %.70.i95.i.i.i
-  %.52.i101.i.i.i = fmul contract double %.80.i.i.i46.i, %.80.i92.i.i.i
+  %.46.i100.i.i.i = fmul contract double %.70.i.i.i63.i, %.70.i95.i.i.i
+  %.52.i101.i.i.i = fmul contract double %.80.i.i.i60.i, %.80.i92.i.i.i
   %.70.i102.i.i.i = fsub contract double %.46.i100.i.i.i, %.52.i101.i.i.i
   %.1146.i.i.i = fsub contract double %.70.i88.i.i.i, %.70.i102.i.i.i
   %.1149.i.i.i = fsub contract double %.80.i85.i.i.i, %.80.i99.i.i.i
-  %.1172.i.i.i = fadd contract double %.903.i.i.i465, %.1146.i.i.i
-  %.1175.i.i.i = fadd contract double %.906.i.i.i466, %.1149.i.i.i
+  %.1172.i.i.i = fadd contract double %.903.i.i.i460, %.1146.i.i.i
+  %.1175.i.i.i = fadd contract double %.906.i.i.i461, %.1149.i.i.i
   store double %.1172.i.i.i, ptr %.937.i.i.i, align 8, !noalias !232
   store double %.1175.i.i.i, ptr %.937.repack1408.i.i.i, align 8, !noalias !232
   %.97.i108.i.i.i = fadd contract double %.22.sroa.0.0.i.i.i, %.52.i38.i.i.i
   %.105.i109.i.i.i = fmul contract double %.97.i108.i.i.i, 1.250000e-01
   %.109.i111.i.i.i = fsub contract double %.22.sroa.4.0.i.i.i, %.64.i35.i.i.i
   %.117.i112.i.i.i = fmul contract double %.109.i111.i.i.i, 1.250000e-01
-  %.58.i118.i.i.i = fmul contract double %.70.i.i.i49.i, %.80.i.i.i46.i
+  %.58.i118.i.i.i = fmul contract double %.70.i.i.i63.i, %.80.i.i.i60.i
   %.80.i120.i.i.i = fadd contract double %.58.i118.i.i.i, %.58.i118.i.i.i
-  %.46.i121.i.i.i = fmul contract double %.70.i.i.i49.i, %.70.i.i.i49.i
-  %.52.i122.i.i.i = fmul contract double %.80.i.i.i46.i, %.80.i.i.i46.i
+  %.46.i121.i.i.i = fmul contract double %.70.i.i.i63.i, %.70.i.i.i63.i
+  %.52.i122.i.i.i = fmul contract double %.80.i.i.i60.i, %.80.i.i.i60.i
   %.70.i123.i.i.i = fsub contract double %.46.i121.i.i.i, %.52.i122.i.i.i
-  %.1306.i.i.i467 = fadd contract double %.117.i112.i.i.i, 0.000000e+00
+  %.1306.i.i.i462 = fadd contract double %.117.i112.i.i.i, 0.000000e+00
   %.1303.i.i.i = fadd contract double %.105.i109.i.i.i, -1.531250e+00
-  %.58.i125.i.i.i = fmul contract double %.80.i120.i.i.i, %.1303.i.i.i
-  %.64.i126.i.i.i = fmul contract double %.70.i123.i.i.i, %.1306.i.i.i467
-  %.80.i127.i.i.i = fadd contract double %.58.i125.i.i.i, %.64.i126.i.i.i
-  %.46.i128.i.i.i = fmul contract double %.70.i123.i.i.i, %.1303.i.i.i
-  %.52.i129.i.i.i = fmul contract double %.80.i120.i.i.i, %.1306.i.i.i467
-  %.70.i130.i.i.i = fsub contract double %.46.i128.i.i.i, %.52.i129.i.i.i
-  %.1425.i.i.i = fadd contract double %.70.i130.i.i.i, %.1172.i.i.i
-  %.1428.i.i.i468 = fadd contract double %.80.i127.i.i.i, %.1175.i.i.i
+  %.58.i125.i.i64.i = fmul contract double %.80.i120.i.i.i, %.1303.i.i.i
+  %.64.i126.i.i65.i = fmul contract double %.70.i123.i.i.i, %.1306.i.i.i462
+  %.80.i127.i.i66.i = fadd contract double %.58.i125.i.i64.i, %.64.i126.i.i65.i
+  %.46.i128.i.i67.i = fmul contract double %.70.i123.i.i.i, %.1303.i.i.i
+  %.52.i129.i.i68.i = fmul contract double %.80.i120.i.i.i, %.1306.i.i.i462
+  %.70.i130.i.i69.i = fsub contract double %.46.i128.i.i67.i, %.52.i129.i.i68.i
+  %.1425.i.i.i = fadd contract double %.70.i130.i.i69.i, %.1172.i.i.i
+  %.1428.i.i.i463 = fadd contract double %.80.i127.i.i66.i, %.1175.i.i.i
   store double %.1425.i.i.i, ptr %.937.i.i.i, align 8, !noalias !232
-  store double %.1428.i.i.i468, ptr %.937.repack1408.i.i.i, align 8, !noalias !232
+  store double %.1428.i.i.i463, ptr %.937.repack1408.i.i.i, align 8, !noalias !232
   %.58.i132.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, 4.000000e+00
   %.80.i134.i.i.i = fadd contract double %.58.i132.i.i.i, %.64.i35.i.i.i
   %.46.i135.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, 4.000000e+00
-  %443 = fsub contract double %.52.i38.i.i.i, %.46.i135.i.i.i
-  %.1525.i.i.i = fadd contract double %443, 1.000000e+00
+  %444 = fsub contract double %.52.i38.i.i.i, %.46.i135.i.i.i
+  %.1525.i.i.i = fadd contract double %444, 1.000000e+00
   %.1528.i.i.i = fsub contract double 0.000000e+00, %.80.i134.i.i.i
   %.58.i139.i.i.i = fmul contract double %.1528.i.i.i, 0x4010B090E5F545F2
   %.64.i140.i.i.i = fmul contract double %.1525.i.i.i, 0.000000e+00
-  %444 = fsub contract double %.64.i140.i.i.i, %.58.i139.i.i.i
+  %445 = fsub contract double %.64.i140.i.i.i, %.58.i139.i.i.i
   %.46.i142.i.i.i = fmul contract double %.1525.i.i.i, 0xC010B090E5F545F2
   %.52.i143.i.i.i = fmul contract double %.1528.i.i.i, 0.000000e+00
   %.70.i144.i.i.i = fsub contract double %.46.i142.i.i.i, %.52.i143.i.i.i
   %.58.i146.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, 0x3FD9104104104104
   %.80.i148.i.i.i = fadd contract double %.58.i146.i.i.i, %.64.i35.i.i.i
   %.46.i149.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, 0x3FD9104104104104
-  %445 = fsub contract double %.52.i38.i.i.i, %.46.i149.i.i.i
-  %.1627.i.i.i = fadd contract double %445, 0x4031AEEFBEFBEFBF
+  %446 = fsub contract double %.52.i38.i.i.i, %.46.i149.i.i.i
+  %.1627.i.i.i = fadd contract double %446, 0x4031AEEFBEFBEFBF
   %.1630.i.i.i = fsub contract double 0.000000e+00, %.80.i148.i.i.i
   %.58.i153.i.i.i = fmul contract double %.1627.i.i.i, %.80.i15.i.i.i
   %.64.i154.i.i.i = fmul contract double %.1630.i.i.i, %.70.i18.i.i.i
@@ -7385,7 +7467,7 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.52.i157.i.i.i = fmul contract double %.1630.i.i.i, %.80.i15.i.i.i
   %.70.i158.i.i.i = fsub contract double %.46.i156.i.i.i, %.52.i157.i.i.i
   %.1679.i.i.i = fadd contract double %.70.i144.i.i.i, %.70.i158.i.i.i
-  %.1682.i.i.i = fadd contract double %444, %.80.i155.i.i.i
+  %.1682.i.i.i = fadd contract double %445, %.80.i155.i.i.i
   store double %.1679.i.i.i, ptr %.1713.i.i.i, align 8, !noalias !232
   store double %.1682.i.i.i, ptr %.1713.repack1414.i.i.i, align 8, !noalias !232
   %.58.i160.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, 0x4001ACB2CB2CB2CB
@@ -7399,14 +7481,14 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.80.i169.i.i.i = fadd contract double %.64.i168.i.i.i, %.58.i167.i.i.i
   %.46.i170.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, %.1810.i.i.i
   %.52.i171.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, %.1813.i.i.i
-  %446 = fsub contract double %.52.i171.i.i.i, %.46.i170.i.i.i
-  %.1870.i.i.i = fadd contract double %446, 0x4031AEEFBEFBEFBF
+  %447 = fsub contract double %.52.i171.i.i.i, %.46.i170.i.i.i
+  %.1870.i.i.i = fadd contract double %447, 0x4031AEEFBEFBEFBF
   %.1873.i.i.i = fsub contract double 0.000000e+00, %.80.i169.i.i.i
-  %.58.i174.i.i.i = fmul contract double %.80.i.i.i46.i, %.1870.i.i.i
-  %.64.i175.i.i.i = fmul contract double %.70.i.i.i49.i, %.1873.i.i.i
+  %.58.i174.i.i.i = fmul contract double %.80.i.i.i60.i, %.1870.i.i.i
+  %.64.i175.i.i.i = fmul contract double %.70.i.i.i63.i, %.1873.i.i.i
   %.80.i176.i.i.i = fadd contract double %.64.i175.i.i.i, %.58.i174.i.i.i
-  %.46.i177.i.i.i = fmul contract double %.70.i.i.i49.i, %.1870.i.i.i
-  %.52.i178.i.i.i = fmul contract double %.80.i.i.i46.i, %.1873.i.i.i
+  %.46.i177.i.i.i = fmul contract double %.70.i.i.i63.i, %.1870.i.i.i
+  %.52.i178.i.i.i = fmul contract double %.80.i.i.i60.i, %.1873.i.i.i
   %.70.i179.i.i.i = fsub contract double %.46.i177.i.i.i, %.52.i178.i.i.i
   %.1922.i.i.i = fadd contract double %.70.i179.i.i.i, %.1679.i.i.i
   %.1925.i.i.i = fadd contract double %.80.i176.i.i.i, %.1682.i.i.i
@@ -7417,9 +7499,9 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.46.i188.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, 0x4050B13F2FF5EE90
   %.70.i190.i.i.i = fsub contract double %.46.i188.i.i.i, %.52.i38.i.i.i
   %.2047.i.i.i = fadd contract double %.70.i190.i.i.i, 0xC034AE5A84540D99
-  %.2050.i.i.i469 = fadd contract double %.80.i187.i.i.i, 0.000000e+00
+  %.2050.i.i.i464 = fadd contract double %.80.i187.i.i.i, 0.000000e+00
   store double %.2047.i.i.i, ptr %.2081.i.i.i, align 8, !noalias !232
-  store double %.2050.i.i.i469, ptr %.2081.repack1418.i.i.i, align 8, !noalias !232
+  store double %.2050.i.i.i464, ptr %.2081.repack1418.i.i.i, align 8, !noalias !232
   %.58.i192.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, %.22.sroa.0.0.i.i.i
   %.80.i194.i.i.i = fadd contract double %.58.i192.i.i.i, %.58.i192.i.i.i
   %.46.i195.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, %.22.sroa.0.0.i.i.i
@@ -7438,7 +7520,7 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.52.i210.i.i.i = fmul contract double %.80.i194.i.i.i, %.2251.i.i.i
   %.70.i211.i.i.i = fsub contract double %.46.i209.i.i.i, %.52.i210.i.i.i
   %.2300.i.i.i = fadd contract double %.2047.i.i.i, %.70.i211.i.i.i
-  %.2303.i.i.i = fadd contract double %.2050.i.i.i469, %.80.i208.i.i.i
+  %.2303.i.i.i = fadd contract double %.2050.i.i.i464, %.80.i208.i.i.i
   store double %.2300.i.i.i, ptr %.2081.i.i.i, align 8, !noalias !232
   store double %.2303.i.i.i, ptr %.2081.repack1418.i.i.i, align 8, !noalias !232
   %.58.i213.i.i.i = fmul contract double %.80.i15.i.i.i, 0x4004AAAAAAAAAAAB
@@ -7448,14 +7530,14 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.58.i220.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, 0x4002AAAAAAAAAAAB
   %.80.i222.i.i.i = fadd contract double %.58.i220.i.i.i, %.64.i35.i.i.i
   %.46.i223.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, 0x4002AAAAAAAAAAAB
-  %447 = fsub contract double %.52.i38.i.i.i, %.46.i223.i.i.i
-  %.2465.i.i.i = fadd contract double %447, 0x4004AAAAAAAAAAAB
+  %448 = fsub contract double %.52.i38.i.i.i, %.46.i223.i.i.i
+  %.2465.i.i.i = fadd contract double %448, 0x4004AAAAAAAAAAAB
   %.2468.i.i.i = fsub contract double 0.000000e+00, %.80.i222.i.i.i
-  %.58.i227.i.i.i = fmul contract double %.80.i.i.i46.i, %.2465.i.i.i
-  %.64.i228.i.i.i = fmul contract double %.70.i.i.i49.i, %.2468.i.i.i
+  %.58.i227.i.i.i = fmul contract double %.80.i.i.i60.i, %.2465.i.i.i
+  %.64.i228.i.i.i = fmul contract double %.70.i.i.i63.i, %.2468.i.i.i
   %.80.i229.i.i.i = fadd contract double %.64.i228.i.i.i, %.58.i227.i.i.i
-  %.46.i230.i.i.i = fmul contract double %.70.i.i.i49.i, %.2465.i.i.i
-  %.52.i231.i.i.i = fmul contract double %.80.i.i.i46.i, %.2468.i.i.i
+  %.46.i230.i.i.i = fmul contract double %.70.i.i.i63.i, %.2465.i.i.i
+  %.52.i231.i.i.i = fmul contract double %.80.i.i.i60.i, %.2468.i.i.i
   %.70.i232.i.i.i = fsub contract double %.46.i230.i.i.i, %.52.i231.i.i.i
   %.2517.i.i.i = fadd contract double %.70.i232.i.i.i, %.70.i218.i.i.i
   %.2520.i.i.i = fadd contract double %.80.i229.i.i.i, %.80.i215.i.i.i
@@ -7505,11 +7587,11 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.46.i272.i.i.i = fmul contract double %.2951.i.i.i, %.70.i18.i.i.i
   %.52.i273.i.i.i = fmul contract double %.2954.i.i.i, %.80.i15.i.i.i
   %.70.i274.i.i.i = fsub contract double %.46.i272.i.i.i, %.52.i273.i.i.i
-  %.58.i276.i.i.i = fmul contract double %.80.i.i.i46.i, %.70.i274.i.i.i
-  %.64.i277.i.i.i = fmul contract double %.70.i.i.i49.i, %.80.i271.i.i.i
+  %.58.i276.i.i.i = fmul contract double %.80.i.i.i60.i, %.70.i274.i.i.i
+  %.64.i277.i.i.i = fmul contract double %.70.i.i.i63.i, %.80.i271.i.i.i
   %.80.i278.i.i.i = fadd contract double %.64.i277.i.i.i, %.58.i276.i.i.i
-  %.46.i279.i.i.i = fmul contract double %.70.i.i.i49.i, %.70.i274.i.i.i
-  %.52.i280.i.i.i = fmul contract double %.80.i.i.i46.i, %.80.i271.i.i.i
+  %.46.i279.i.i.i = fmul contract double %.70.i.i.i63.i, %.70.i274.i.i.i
+  %.52.i280.i.i.i = fmul contract double %.80.i.i.i60.i, %.80.i271.i.i.i
   %.70.i281.i.i.i = fsub contract double %.46.i279.i.i.i, %.52.i280.i.i.i
   %.3029.i.i.i = fadd contract double %.70.i281.i.i.i, %.2820.i.i.i
   %.3032.i.i.i = fadd contract double %.80.i278.i.i.i, %.2823.i.i.i
@@ -7518,8 +7600,8 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.58.i283.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, 0x402975F7DF7DF7DF
   %.80.i285.i.i.i = fadd contract double %.58.i283.i.i.i, %.64.i35.i.i.i
   %.46.i286.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, 0x402975F7DF7DF7DF
-  %448 = fsub contract double %.52.i38.i.i.i, %.46.i286.i.i.i
-  %.3160.i.i.i = fadd contract double %448, 0x404302DB6DB6DB6E
+  %449 = fsub contract double %.52.i38.i.i.i, %.46.i286.i.i.i
+  %.3160.i.i.i = fadd contract double %449, 0x404302DB6DB6DB6E
   %.3163.i.i.i = fsub contract double 0.000000e+00, %.80.i285.i.i.i
   %.58.i290.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, %.3163.i.i.i
   %.64.i291.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, %.3160.i.i.i
@@ -7542,16 +7624,16 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.58.i311.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, 0x402001CC877321DD
   %.80.i313.i.i.i = fadd contract double %.58.i311.i.i.i, %.64.i35.i.i.i
   %.46.i314.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, 0x402001CC877321DD
-  %449 = fsub contract double %.52.i38.i.i.i, %.46.i314.i.i.i
-  %.3441.i.i.i = fadd contract double %449, 0x403044E0D8B8362E
+  %450 = fsub contract double %.52.i38.i.i.i, %.46.i314.i.i.i
+  %.3441.i.i.i = fadd contract double %450, 0x403044E0D8B8362E
   %.3444.i.i.i = fsub contract double 0.000000e+00, %.80.i313.i.i.i
   %.58.i318.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, %.3444.i.i.i
   %.64.i319.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, %.3441.i.i.i
   %.80.i320.i.i.i = fadd contract double %.64.i319.i.i.i, %.58.i318.i.i.i
   %.46.i321.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i, %.3441.i.i.i
   %.52.i322.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i, %.3444.i.i.i
-  %450 = fsub contract double %.52.i322.i.i.i, %.46.i321.i.i.i
-  %.3501.i.i.i = fadd contract double %450, 0x400A4763546E2A71
+  %451 = fsub contract double %.52.i322.i.i.i, %.46.i321.i.i.i
+  %.3501.i.i.i = fadd contract double %451, 0x400A4763546E2A71
   %.3504.i.i.i = fsub contract double 0.000000e+00, %.80.i320.i.i.i
   %.58.i325.i.i.i = fmul contract double %.3504.i.i.i, 0x400921FB54442D18
   %.64.i326.i.i.i = fmul contract double %.3501.i.i.i, 0.000000e+00
@@ -7561,82 +7643,82 @@ B0.endif.endif.i.i43.i:                           ; preds = %B282.endif.endif.i.
   %.70.i330.i.i.i = fsub contract double %.46.i328.i.i.i, %.52.i329.i.i.i
   store double %.70.i330.i.i.i, ptr %.3569.i.i.i, align 8, !noalias !232
   store double %.80.i327.i.i.i, ptr %.3569.repack1430.i.i.i, align 8, !noalias !232
-  br label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i
+  br label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i
 
-_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i: ; preds = %B0.endif.endif.i.i43.i, %B282.endif.i.i.i57.i, %B174.endif.i.i.i32.i, %B282.i.i.i55.i, %B132.i.i.i31.i, %B282.endif.i.i.i.i73.i, %B174.endif.i.i.i.i17.i, %B282.i.i.i.i71.i, %B132.i.i.i.i15.i
-  %excinfo.1.1.i.i = phi ptr [ %excinfo.1.0.i.i, %B0.endif.endif.i.i43.i ], [ null, %B132.i.i.i.i15.i ], [ null, %B174.endif.i.i.i.i17.i ], [ null, %B282.i.i.i.i71.i ], [ null, %B282.endif.i.i.i.i73.i ], [ null, %B282.endif.i.i.i57.i ], [ null, %B282.i.i.i55.i ], [ null, %B174.endif.i.i.i32.i ], [ null, %B132.i.i.i31.i ]
-  %cond.i50.i = phi i1 [ true, %B0.endif.endif.i.i43.i ], [ false, %B132.i.i.i.i15.i ], [ false, %B174.endif.i.i.i.i17.i ], [ false, %B282.i.i.i.i71.i ], [ false, %B282.endif.i.i.i.i73.i ], [ false, %B282.endif.i.i.i57.i ], [ false, %B282.i.i.i55.i ], [ false, %B174.endif.i.i.i32.i ], [ false, %B132.i.i.i31.i ]
-  br i1 %cond.i50.i, label %B368.endif.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, !prof !23
+_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i: ; preds = %B0.endif.endif.i.i57.i, %B282.endif.i.i.i81.i, %B174.endif.i.i.i46.i, %B282.i.i.i79.i, %B132.i.i.i45.i, %B282.endif.i.i.i.i97.i, %B174.endif.i.i.i.i31.i, %B282.i.i.i.i95.i, %B132.i.i.i.i29.i
+  %excinfo.1.1.i.i = phi ptr [ %excinfo.1.0.i.i, %B0.endif.endif.i.i57.i ], [ null, %B132.i.i.i.i29.i ], [ null, %B174.endif.i.i.i.i31.i ], [ null, %B282.i.i.i.i95.i ], [ null, %B282.endif.i.i.i.i97.i ], [ null, %B282.endif.i.i.i81.i ], [ null, %B282.i.i.i79.i ], [ null, %B174.endif.i.i.i46.i ], [ null, %B132.i.i.i45.i ]
+  %cond.i70.i = phi i1 [ true, %B0.endif.endif.i.i57.i ], [ false, %B132.i.i.i.i29.i ], [ false, %B174.endif.i.i.i.i31.i ], [ false, %B282.i.i.i.i95.i ], [ false, %B282.endif.i.i.i.i97.i ], [ false, %B282.endif.i.i.i81.i ], [ false, %B282.i.i.i79.i ], [ false, %B174.endif.i.i.i46.i ], [ false, %B132.i.i.i45.i ]
+  br i1 %cond.i70.i, label %B368.endif.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, !prof !23
 
-B368.endif.i.i:                                   ; preds = %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i
-  %"$phi490.1.2.1.i.i" = select i1 %.202.i.i459, double %.409.i.i, double 0.000000e+00
-  %.570.i.i470 = load double, ptr %arg.state.10.1.4, align 8, !noalias !228
+B368.endif.i.i:                                   ; preds = %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i
+  %"$phi490.1.2.1.i.i" = select i1 %.202.i.i455, double %.409.i.i, double 0.000000e+00
+  %.570.i.i465 = load double, ptr %arg.state.10.1.4, align 8, !noalias !228
   %.572.i.i = load double, ptr %arg.out.4.repack1402.i.i.i, align 8, !noalias !228
   %.582.i.i = fdiv contract double %.572.i.i, 1.000000e-30
-  %.623.i.i471 = fmul contract double %"$phi490.1.2.1.i.i", %.570.i.i470
-  %.624.i.i = fadd contract double %.623.i.i471, %.582.i.i
-  %sunkaddr20.i.i = getelementptr i8, ptr %.675.i, i64 %lsr.iv.i6.i
-  store double %.624.i.i, ptr %sunkaddr20.i.i, align 8, !noalias !228
-  %.570.1.i.i = load double, ptr %sunkaddr23.i.i, align 8, !noalias !228
-  %.572.1.i.i = load double, ptr %sunkaddr24.i.i, align 8, !noalias !228
+  %.623.i.i466 = fmul contract double %"$phi490.1.2.1.i.i", %.570.i.i465
+  %.624.i.i = fadd contract double %.623.i.i466, %.582.i.i
+  %sunkaddr20.i72.i = getelementptr i8, ptr %.675.i, i64 %lsr.iv.i19.i
+  store double %.624.i.i, ptr %sunkaddr20.i72.i, align 8, !noalias !228
+  %.570.1.i.i = load double, ptr %sunkaddr23.i8.i, align 8, !noalias !228
+  %.572.1.i.i = load double, ptr %sunkaddr24.i9.i, align 8, !noalias !228
   %.582.1.i.i = fdiv contract double %.572.1.i.i, 1.000000e-30
   %.623.1.i.i = fmul contract double %"$phi490.1.2.1.i.i", %.570.1.i.i
   %.624.1.i.i = fadd contract double %.623.1.i.i, %.582.1.i.i
-  %sunkaddr26.i.i = getelementptr i8, ptr %sunkaddr20.i.i, i64 8
-  store double %.624.1.i.i, ptr %sunkaddr26.i.i, align 8, !noalias !228
+  %sunkaddr26.i73.i = getelementptr i8, ptr %sunkaddr20.i72.i, i64 8
+  store double %.624.1.i.i, ptr %sunkaddr26.i73.i, align 8, !noalias !228
   %.570.2.i.i = load double, ptr %.593.i.i.i, align 8, !noalias !228
   %.572.2.i.i = load double, ptr %.593.repack1404.i.i.i, align 8, !noalias !228
   %.582.2.i.i = fdiv contract double %.572.2.i.i, 1.000000e-30
   %.623.2.i.i = fmul contract double %"$phi490.1.2.1.i.i", %.570.2.i.i
   %.624.2.i.i = fadd contract double %.623.2.i.i, %.582.2.i.i
-  %sunkaddr30.i.i = getelementptr i8, ptr %sunkaddr20.i.i, i64 16
-  store double %.624.2.i.i, ptr %sunkaddr30.i.i, align 8, !noalias !228
+  %sunkaddr30.i74.i = getelementptr i8, ptr %sunkaddr20.i72.i, i64 16
+  store double %.624.2.i.i, ptr %sunkaddr30.i74.i, align 8, !noalias !228
   %.570.3.i.i = load double, ptr %.778.i.i.i, align 8, !noalias !228
   %.572.3.i.i = load double, ptr %.778.repack1406.i.i.i, align 8, !noalias !228
   %.582.3.i.i = fdiv contract double %.572.3.i.i, 1.000000e-30
   %.623.3.i.i = fmul contract double %"$phi490.1.2.1.i.i", %.570.3.i.i
   %.624.3.i.i = fadd contract double %.623.3.i.i, %.582.3.i.i
-  %sunkaddr34.i.i = getelementptr i8, ptr %sunkaddr20.i.i, i64 24
-  store double %.624.3.i.i, ptr %sunkaddr34.i.i, align 8, !noalias !228
+  %sunkaddr34.i75.i = getelementptr i8, ptr %sunkaddr20.i72.i, i64 24
+  store double %.624.3.i.i, ptr %sunkaddr34.i75.i, align 8, !noalias !228
   %.570.4.i.i = load double, ptr %.937.i.i.i, align 8, !noalias !228
   %.572.4.i.i = load double, ptr %.937.repack1408.i.i.i, align 8, !noalias !228
   %.582.4.i.i = fdiv contract double %.572.4.i.i, 1.000000e-30
   %.623.4.i.i = fmul contract double %"$phi490.1.2.1.i.i", %.570.4.i.i
   %.624.4.i.i = fadd contract double %.623.4.i.i, %.582.4.i.i
-  %sunkaddr38.i.i = getelementptr i8, ptr %sunkaddr20.i.i, i64 32
-  store double %.624.4.i.i, ptr %sunkaddr38.i.i, align 8, !noalias !228
+  %sunkaddr38.i76.i = getelementptr i8, ptr %sunkaddr20.i72.i, i64 32
+  store double %.624.4.i.i, ptr %sunkaddr38.i76.i, align 8, !noalias !228
   %.570.5.i.i = load double, ptr %.1713.i.i.i, align 8, !noalias !228
   %.572.5.i.i = load double, ptr %.1713.repack1414.i.i.i, align 8, !noalias !228
   %.582.5.i.i = fdiv contract double %.572.5.i.i, 1.000000e-30
   %.623.5.i.i = fmul contract double %"$phi490.1.2.1.i.i", %.570.5.i.i
   %.624.5.i.i = fadd contract double %.623.5.i.i, %.582.5.i.i
-  %sunkaddr42.i.i = getelementptr i8, ptr %sunkaddr20.i.i, i64 40
+  %sunkaddr42.i.i = getelementptr i8, ptr %sunkaddr20.i72.i, i64 40
   store double %.624.5.i.i, ptr %sunkaddr42.i.i, align 8, !noalias !228
   %.570.6.i.i = load double, ptr %.2081.i.i.i, align 8, !noalias !228
   %.572.6.i.i = load double, ptr %.2081.repack1418.i.i.i, align 8, !noalias !228
   %.582.6.i.i = fdiv contract double %.572.6.i.i, 1.000000e-30
   %.623.6.i.i = fmul contract double %"$phi490.1.2.1.i.i", %.570.6.i.i
   %.624.6.i.i = fadd contract double %.623.6.i.i, %.582.6.i.i
-  %sunkaddr46.i.i = getelementptr i8, ptr %sunkaddr20.i.i, i64 48
+  %sunkaddr46.i.i = getelementptr i8, ptr %sunkaddr20.i72.i, i64 48
   store double %.624.6.i.i, ptr %sunkaddr46.i.i, align 8, !noalias !228
   %.570.7.i.i = load double, ptr %.3569.i.i.i, align 8, !noalias !228
   %.572.7.i.i = load double, ptr %.3569.repack1430.i.i.i, align 8, !noalias !228
   %.582.7.i.i = fdiv contract double %.572.7.i.i, 1.000000e-30
   %.623.7.i.i = fmul contract double %"$phi490.1.2.1.i.i", %.570.7.i.i
   %.624.7.i.i = fadd contract double %.623.7.i.i, %.582.7.i.i
-  %sunkaddr50.i.i = getelementptr i8, ptr %sunkaddr20.i.i, i64 56
+  %sunkaddr50.i.i = getelementptr i8, ptr %sunkaddr20.i72.i, i64 56
   store double %.624.7.i.i, ptr %sunkaddr50.i.i, align 8, !noalias !228
-  %lsr.iv.next.i52.i = add nuw nsw i64 %lsr.iv.i6.i, 64
-  %exitcond.not.i.i472 = icmp eq i64 %lsr.iv.next.i52.i, 320
-  br i1 %exitcond.not.i.i472, label %_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, label %B80.if.i.i
+  %lsr.iv.next.i.i467 = add nuw nsw i64 %lsr.iv.i19.i, 64
+  %exitcond.not.i.i468 = icmp eq i64 %lsr.iv.next.i.i467, 320
+  br i1 %exitcond.not.i.i468, label %_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, label %B80.if.i.i
 
-_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit: ; preds = %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, %B368.endif.i.i, %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %excinfo.2.0 = phi ptr [ %excinfo.3.0.i, %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ null, %B368.endif.i.i ], [ %excinfo.1.1.i.i, %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i ]
-  %common.ret.op.i456 = phi i1 [ false, %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %cond.i50.i, %B368.endif.i.i ], [ %cond.i50.i, %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i ]
-  br i1 %common.ret.op.i456, label %B60.endif.endif, label %B60.endif.if, !prof !23
+_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit: ; preds = %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i, %B368.endif.i.i, %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %excinfo.2.0 = phi ptr [ %excinfo.3.0.i, %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ null, %B368.endif.i.i ], [ %excinfo.1.1.i.i, %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i ]
+  %common.ret.op.i452 = phi i1 [ false, %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %cond.i70.i, %B368.endif.i.i ], [ %cond.i70.i, %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i ]
+  br i1 %common.ret.op.i452, label %B60.endif.endif, label %B60.endif.if, !prof !23
 
-common.ret:                                       ; preds = %_ZN17bnserve_surrogate7adjoint4_row7_finishB4v632B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B888.if, %B384.if, %B60.endif.if
-  %common.ret.op = phi i32 [ 1, %B384.if ], [ 1, %B60.endif.if ], [ 0, %_ZN17bnserve_surrogate7adjoint4_row7_finishB4v632B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %common.ret.op.i56, %B888.if ]
+common.ret:                                       ; preds = %_ZN17bnserve_surrogate7adjoint4_row7_finishB4v633B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B888.if, %B384.if, %B60.endif.if
+  %common.ret.op = phi i32 [ 1, %B384.if ], [ 1, %B60.endif.if ], [ 0, %_ZN17bnserve_surrogate7adjoint4_row7_finishB4v633B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %common.ret.op.i56, %B888.if ]
   ret i32 %common.ret.op
 
 B60.endif.if:                                     ; preds = %_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
@@ -7646,27 +7728,27 @@ B60.endif.if:                                     ; preds = %_ZN17bnserve_surrog
 B60.endif.endif:                                  ; preds = %_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
   %.854.idx = shl nsw i64 %arg.state.7.1, 5
   %.854 = getelementptr inbounds i8, ptr %arg.state.8.1.4, i64 %.854.idx
-  %451 = tail call i64 @llvm.smax.i64(i64 %arg.state.7.0, i64 0)
-  %452 = trunc i64 %451 to i62
-  %.10156.i = icmp sgt i62 %452, 0
+  %452 = tail call i64 @llvm.smax.i64(i64 %arg.state.7.0, i64 0)
+  %453 = trunc i64 %452 to i62
+  %.10156.i = icmp sgt i62 %453, 0
   br i1 %.10156.i, label %B40.if.preheader.i, label %B60.endif.endif.endif.endif.endif
 
 B40.if.preheader.i:                               ; preds = %B60.endif.endif
   %.703.idx = shl nsw i64 %arg.state.7.0, 5
   %.703 = getelementptr inbounds i8, ptr %arg.state.8.0.4, i64 %.703.idx
-  %453 = shl i64 %451, 5
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.703, i8 0, i64 %453, i1 false), !noalias !236
+  %454 = shl i64 %452, 5
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.703, i8 0, i64 %454, i1 false), !noalias !236
   br label %B60.endif.endif.endif.endif.endif
 
 B60.endif.endif.endif.endif.endif:                ; preds = %B40.if.preheader.i, %B60.endif.endif
-  %454 = tail call i64 @llvm.smax.i64(i64 %arg.state.7.1, i64 0)
-  %455 = trunc i64 %454 to i62
-  %.10156.i34 = icmp sgt i62 %455, 0
+  %455 = tail call i64 @llvm.smax.i64(i64 %arg.state.7.1, i64 0)
+  %456 = trunc i64 %455 to i62
+  %.10156.i34 = icmp sgt i62 %456, 0
   br i1 %.10156.i34, label %B40.if.preheader.i35, label %B60.endif.endif.endif.endif.endif.endif
 
 B40.if.preheader.i35:                             ; preds = %B60.endif.endif.endif.endif.endif
-  %456 = shl i64 %454, 5
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.854, i8 0, i64 %456, i1 false), !noalias !239
+  %457 = shl i64 %455, 5
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.854, i8 0, i64 %457, i1 false), !noalias !239
   br label %B60.endif.endif.endif.endif.endif.endif
 
 B60.endif.endif.endif.endif.endif.endif:          ; preds = %B40.if.preheader.i35, %B60.endif.endif.endif.endif.endif
@@ -7677,15 +7759,15 @@ B60.endif.endif.endif.endif.endif.endif:          ; preds = %B40.if.preheader.i3
   %.1153 = icmp eq i64 %.1149, 0
   br i1 %.1153, label %B384, label %B440
 
-B384.if:                                          ; preds = %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v187B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
+B384.if:                                          ; preds = %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v188B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
   store ptr %excinfo.7.0, ptr %excinfo, align 8
   br label %common.ret
 
-B888.if:                                          ; preds = %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
+B888.if:                                          ; preds = %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v648B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
   store ptr %excinfo.12.1, ptr %excinfo, align 8
   br label %common.ret
 
-B888.endif:                                       ; preds = %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
+B888.endif:                                       ; preds = %_ZN17bnserve_surrogate7adjoint4_row6_orderB4v648B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE.exit
   %.1954 = load i64, ptr %.1274, align 8
   %.1955 = icmp slt i64 %last.3.2, %.1954
   br i1 %.1955, label %B572, label %B978
@@ -7781,7 +7863,7 @@ B400.if.i:                                        ; preds = %B400.if.i, %B400.if
   %exitcond.not.i = icmp eq i64 %lsr.iv.next.i, 0
   br i1 %exitcond.not.i, label %B692.i, label %B400.if.i
 
-B1022:                                            ; preds = %_ZN17bnserve_surrogate7adjoint11_regression14_products_backB4v695B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B452.endif.endif.endif
+B1022:                                            ; preds = %_ZN17bnserve_surrogate7adjoint11_regression14_products_backB4v696B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B452.endif.endif.endif
   %.1466 = getelementptr i8, ptr %arg.contents.4, i64 32
   %.1467 = load i64, ptr %.1466, align 8
   %.1468 = icmp sgt i64 %.1467, 0
@@ -7852,7 +7934,7 @@ B34.if.lr.ph.i.i.i:                               ; preds = %B818.i.i
   %22 = icmp eq i64 %.1212.i.i, 0
   br label %B34.if.i.i.i
 
-B34.loopexit.i.i.i:                               ; preds = %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v712B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i, %B34.if.i.i.i
+B34.loopexit.i.i.i:                               ; preds = %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v713B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i, %B34.if.i.i.i
   %scevgep239.i.i = getelementptr i8, ptr %lsr.iv238.i.i, i64 %.155.i.i
   %exitcond.not.i.i.i = icmp eq i64 %.122.i.i.i, %arg.rows
   br i1 %exitcond.not.i.i.i, label %B916.i.i, label %B34.if.i.i.i
@@ -7863,9 +7945,9 @@ B34.if.i.i.i:                                     ; preds = %B34.loopexit.i.i.i,
   %.122.i.i.i = add nuw nsw i64 %.115205227.i.i.i, 1
   br i1 %20, label %B34.loopexit.i.i.i, label %B132.if.i.i.i
 
-B132.if.i.i.i:                                    ; preds = %B34.if.i.i.i, %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v712B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i
-  %lsr.iv24.i.i = phi i64 [ %lsr.iv.next25.i.i, %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v712B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i ], [ %19, %B34.if.i.i.i ]
-  %lsr.iv240.i.i = phi ptr [ %scevgep247.i.i, %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v712B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i ], [ %lsr.iv238.i.i, %B34.if.i.i.i ]
+B132.if.i.i.i:                                    ; preds = %B34.if.i.i.i, %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v713B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i
+  %lsr.iv24.i.i = phi i64 [ %lsr.iv.next25.i.i, %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v713B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i ], [ %19, %B34.if.i.i.i ]
+  %lsr.iv240.i.i = phi ptr [ %scevgep247.i.i, %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v713B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i ], [ %lsr.iv238.i.i, %B34.if.i.i.i ]
   %scevgep247.i.i = getelementptr i8, ptr %lsr.iv240.i.i, i64 64
   %.285.i.i.i = load <8 x double>, ptr %scevgep247.i.i, align 8, !noalias !251
   %.11.i.i.i.i = bitcast <8 x double> %.285.i.i.i to <8 x i64>
@@ -7912,7 +7994,7 @@ _ZN17bnserve_surrogate6kernel11_regression9_activateB4v103B86c8tJTIeFIjxB2IKSgI4
   %.6.i.i6.i.i.i = fsub contract <8 x double> splat (double 1.000000e+00), %27
   %.8.i6.i7.i.i.i = fadd contract <8 x double> %27, splat (double 1.000000e+00)
   %.6.i7.i.i.i.i = fmul contract <8 x double> %.6.i.i6.i.i.i, %.8.i6.i7.i.i.i
-  br label %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v712B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i
+  br label %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v713B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i
 
 B26.i.i.i.i:                                      ; preds = %B132.if.i.i.i
   %.6.i.i.i.i.i = fadd contract <8 x double> %.285.i.i.i, %23
@@ -7920,7 +8002,7 @@ B26.i.i.i.i:                                      ; preds = %B132.if.i.i.i
   %isnotneg.inv.i.i.i.i = icmp slt <8 x i64> %.11.i.i.i.i, zeroinitializer
   %.6.i5.i8.i.i.i = select <8 x i1> %isnotneg.inv.i.i.i.i, <8 x i64> zeroinitializer, <8 x i64> splat (i64 4607182418800017408)
   %28 = bitcast <8 x i64> %.6.i5.i8.i.i.i to <8 x double>
-  br label %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v712B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i
+  br label %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v713B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i
 
 B238.i.i.i.i:                                     ; preds = %B114.i.i.i.i
   %isneg.i.i.i.i = icmp slt <8 x i64> %.11.i.i.i.i, zeroinitializer
@@ -7953,9 +8035,9 @@ B238.i.i.i.i:                                     ; preds = %B114.i.i.i.i
   %.6.i31.v.i.i.i.i = fdiv contract <8 x double> %.6.i31.v.v.i.i.i.i, %.8.i21.i.i.i.i
   %.6.i1.i.i.i.i = fsub contract <8 x double> splat (double 1.000000e+00), %.6.i31.v.i.i.i.i
   %.6.i8.i.i.i.i = fmul contract <8 x double> %.6.i31.v.i.i.i.i, %.6.i1.i.i.i.i
-  br label %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v712B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i
+  br label %_ZN17bnserve_surrogate8tangents8_network6_slopeB4v713B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i
 
-_ZN17bnserve_surrogate8tangents8_network6_slopeB4v712B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i: ; preds = %B238.i.i.i.i, %B26.i.i.i.i, %_ZN17bnserve_surrogate6kernel11_regression9_activateB4v103B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_29x.exit.thread4.i.i.i
+_ZN17bnserve_surrogate8tangents8_network6_slopeB4v713B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE19vector_28float64_2919vector_28float64_29x.exit.i.i.i: ; preds = %B238.i.i.i.i, %B26.i.i.i.i, %_ZN17bnserve_surrogate6kernel11_regression9_activateB4v103B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_29x.exit.thread4.i.i.i
   %.288.sroa.0.32.i.i.i = phi <8 x double> [ %.6.i31.v.i.i.i.i, %B238.i.i.i.i ], [ %.8.i3.i.i.i.i, %B26.i.i.i.i ], [ %27, %_ZN17bnserve_surrogate6kernel11_regression9_activateB4v103B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_29x.exit.thread4.i.i.i ]
   %.314.sroa.0.3.i.i.i = phi <8 x double> [ %.6.i8.i.i.i.i, %B238.i.i.i.i ], [ %28, %B26.i.i.i.i ], [ %.6.i7.i.i.i.i, %_ZN17bnserve_surrogate6kernel11_regression9_activateB4v103B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE19vector_28float64_29x.exit.thread4.i.i.i ]
   store <8 x double> %.288.sroa.0.32.i.i.i, ptr %scevgep247.i.i, align 8, !noalias !251
@@ -9479,21 +9561,21 @@ B42.i:                                            ; preds = %B20.i
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.71.i, i64 %k.4.0.i)
   %.121.idx.i = shl nsw i64 %.13.i.i, 6
   %.107.i = add nsw i64 %.13.i.i, 1
-  br i1 %204, label %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B340.if.i.i
+  br i1 %204, label %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B340.if.i.i
 
 B230.i:                                           ; preds = %B20.i
   %.217.i = add nsw i64 %k.4.0.i, 1
   %.231.idx.i = shl nsw i64 %k.4.0.i, 6
-  br i1 %203, label %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B118.if.i.i
+  br i1 %203, label %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B118.if.i.i
 
-B342.i:                                           ; preds = %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %k.5.1.i = phi i64 [ %.209.i, %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.217.i, %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+B342.i:                                           ; preds = %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %k.5.1.i = phi i64 [ %.209.i, %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.217.i, %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %.331.i = icmp slt i64 %k.5.1.i, %.149
   br i1 %.331.i, label %B20.i, label %B452.endif.endif.endif
 
 B340.loopexit.i.i:                                ; preds = %B1124.if.i.i
   %exitcond461.not.i.i = icmp eq i64 %.360.i.i, %.182.i.i
-  br i1 %exitcond461.not.i.i, label %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B340.if.i.i
+  br i1 %exitcond461.not.i.i, label %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B340.if.i.i
 
 B434.i.i:                                         ; preds = %B340.if.i.i
   %.448.i.i = mul i64 %.353433439.i.i, %factor.op.mul.i10.i
@@ -9591,7 +9673,7 @@ B1124.if.i.i:                                     ; preds = %B1124.if.i.i, %B112
   %exitcond.not.i.i = icmp eq i64 %208, %lsr.iv.next.i.i
   br i1 %exitcond.not.i.i, label %B340.loopexit.i.i, label %B1124.if.i.i
 
-_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B340.loopexit.i.i, %B42.i
+_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B340.loopexit.i.i, %B42.i
   %a0.3.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B42.i ], [ %.732.i.i, %B340.loopexit.i.i ]
   %a1.3.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B42.i ], [ %.749.i.i, %B340.loopexit.i.i ]
   %a2.3.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B42.i ], [ %.771.i.i, %B340.loopexit.i.i ]
@@ -9621,7 +9703,7 @@ _ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4Cr
 
 B118.loopexit.i.i:                                ; preds = %B332.if.i.i
   %exitcond197.not.i.i = icmp eq i64 %.277.i.i, %.182.i.i
-  br i1 %exitcond197.not.i.i, label %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B118.if.i.i
+  br i1 %exitcond197.not.i.i, label %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B118.if.i.i
 
 B194.i.i:                                         ; preds = %B118.if.i.i
   %.365.i.i = mul i64 %.270183189.i.i, %factor.op.mul.i10.i
@@ -9670,7 +9752,7 @@ B332.if.i.i:                                      ; preds = %B332.if.i.i, %B332.
   %exitcond.not.i17.i = icmp eq i64 %213, %lsr.iv.next.i16.i
   br i1 %exitcond.not.i17.i, label %B118.loopexit.i.i, label %B332.if.i.i
 
-_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B118.loopexit.i.i, %B230.i
+_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B118.loopexit.i.i, %B230.i
   %total.3.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B230.i ], [ %.607.i.i, %B118.loopexit.i.i ]
   %sunkaddr51.i17 = getelementptr i8, ptr %arg.scratch.4, i64 %.231.idx.i
   store <8 x double> %total.3.0.lcssa.i.i, ptr %sunkaddr51.i17, align 8, !noalias !265
@@ -9710,20 +9792,20 @@ B20.i40:                                          ; preds = %B342.i78, %B686.end
 B42.i84:                                          ; preds = %B20.i40
   %.13.i.i85 = tail call i64 @llvm.smin.i64(i64 %.71.i31, i64 %k.4.0.i41)
   %.121.idx.i86 = shl nsw i64 %.13.i.i85, 6
-  br i1 %217, label %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i167, label %B340.if.i.i87
+  br i1 %217, label %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i167, label %B340.if.i.i87
 
 B230.i42:                                         ; preds = %B20.i40
   %.231.idx.i43 = shl nsw i64 %k.4.0.i41, 6
-  br i1 %216, label %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i75, label %B118.if.i.i44
+  br i1 %216, label %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i75, label %B118.if.i.i44
 
-B342.i78:                                         ; preds = %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i75, %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i167
-  %k.5.1.i79 = phi i64 [ %.209.i184, %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i167 ], [ %.320.i, %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i75 ]
+B342.i78:                                         ; preds = %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i75, %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i167
+  %k.5.1.i79 = phi i64 [ %.209.i184, %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i167 ], [ %.320.i, %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i75 ]
   %.331.i80 = icmp slt i64 %k.5.1.i79, %.179
   br i1 %.331.i80, label %B20.i40, label %B686.endif.endif.endif.endif.endif
 
 B340.loopexit.i.i165:                             ; preds = %B1124.if.i.i111
   %exitcond461.not.i.i166 = icmp eq i64 %.360.i.i97, %.182.i.i35
-  br i1 %exitcond461.not.i.i166, label %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i167, label %B340.if.i.i87
+  br i1 %exitcond461.not.i.i166, label %_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i167, label %B340.if.i.i87
 
 B434.i.i185:                                      ; preds = %B340.if.i.i87
   %.448.i.i186 = mul i64 %.353433439.i.i96, %factor.op.mul.i10.i37
@@ -9821,7 +9903,7 @@ B1124.if.i.i111:                                  ; preds = %B1124.if.i.i111, %B
   %exitcond.not.i.i164 = icmp eq i64 %221, %lsr.iv.next.i.i163
   br i1 %exitcond.not.i.i164, label %B340.loopexit.i.i165, label %B1124.if.i.i111
 
-_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i167: ; preds = %B340.loopexit.i.i165, %B42.i84
+_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i167: ; preds = %B340.loopexit.i.i165, %B42.i84
   %a0.3.0.lcssa.i.i168 = phi <8 x double> [ zeroinitializer, %B42.i84 ], [ %.732.i.i127, %B340.loopexit.i.i165 ]
   %a1.3.0.lcssa.i.i169 = phi <8 x double> [ zeroinitializer, %B42.i84 ], [ %.749.i.i132, %B340.loopexit.i.i165 ]
   %a2.3.0.lcssa.i.i170 = phi <8 x double> [ zeroinitializer, %B42.i84 ], [ %.771.i.i137, %B340.loopexit.i.i165 ]
@@ -9851,7 +9933,7 @@ _ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4Cr
 
 B118.loopexit.i.i73:                              ; preds = %B332.if.i.i61
   %exitcond197.not.i.i74 = icmp eq i64 %.277.i.i47, %.182.i.i35
-  br i1 %exitcond197.not.i.i74, label %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i75, label %B118.if.i.i44
+  br i1 %exitcond197.not.i.i74, label %_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i75, label %B118.if.i.i44
 
 B194.i.i81:                                       ; preds = %B118.if.i.i44
   %.365.i.i82 = mul i64 %.270183189.i.i46, %factor.op.mul.i10.i37
@@ -9900,7 +9982,7 @@ B332.if.i.i61:                                    ; preds = %B332.if.i.i61, %B33
   %exitcond.not.i17.i72 = icmp eq i64 %226, %lsr.iv.next.i16.i71
   br i1 %exitcond.not.i17.i72, label %B118.loopexit.i.i73, label %B332.if.i.i61
 
-_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i75: ; preds = %B118.loopexit.i.i73, %B230.i42
+_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i75: ; preds = %B118.loopexit.i.i73, %B230.i42
   %total.3.0.lcssa.i.i76 = phi <8 x double> [ zeroinitializer, %B230.i42 ], [ %.607.i.i70, %B118.loopexit.i.i73 ]
   %sunkaddr51.i77 = getelementptr i8, ptr %.1154, i64 %.231.idx.i43
   store <8 x double> %total.3.0.lcssa.i.i76, ptr %sunkaddr51.i77, align 8, !noalias !273
@@ -9985,9 +10067,9 @@ B212.if.i:                                        ; preds = %B212.if.i, %B686.en
   %scevgep94.i = getelementptr i8, ptr %lsr.iv93.i, i64 64
   %lsr.iv.next.i193 = add i64 %lsr.iv95.i, -1
   %exitcond.not.i194 = icmp eq i64 %lsr.iv.next.i193, 0
-  br i1 %exitcond.not.i194, label %_ZN17bnserve_surrogate7adjoint11_regression14_products_backB4v695B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B212.if.i
+  br i1 %exitcond.not.i194, label %_ZN17bnserve_surrogate7adjoint11_regression14_products_backB4v696B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B212.if.i
 
-_ZN17bnserve_surrogate7adjoint11_regression14_products_backB4v695B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B212.if.i
+_ZN17bnserve_surrogate7adjoint11_regression14_products_backB4v696B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B212.if.i
   store <8 x double> %.562.i, ptr %.351, align 8, !noalias !276
   %.794.i = getelementptr inbounds nuw i8, ptr %.351, i64 64
   store <8 x double> %.600.i, ptr %.794.i, align 8, !noalias !276
@@ -10932,7 +11014,7 @@ B158.i:                                           ; preds = %B44.if.i
 
 B309.i:                                           ; preds = %B44.if.i, %B158.i
   %exitcond.not.i = icmp eq i64 %.132.i, 16
-  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit, label %B44.if.i
+  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit, label %B44.if.i
 
 B44.if.i:                                         ; preds = %B309.i, %entry
   %.125233235.i = phi i64 [ %.132.i, %B309.i ], [ 0, %entry ]
@@ -10951,7 +11033,7 @@ B44.if.i:                                         ; preds = %B309.i, %entry
   %or.cond.i = icmp ult i64 %11, 7
   br i1 %or.cond.i, label %B158.i, label %B309.i
 
-_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B309.i
+_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B309.i
   %.3593 = getelementptr inbounds nuw i8, ptr %arg.state.15.4, i64 192
   %.3531 = getelementptr inbounds nuw i8, ptr %arg.state.15.4, i64 64
   %.432.i = getelementptr i8, ptr %arg.state.15.4, i64 216
@@ -11304,8 +11386,8 @@ B2160:                                            ; preds = %B2130.if, %B2130.if
   %.522.inv.i = icmp slt i64 %.13.i.i, 1
   br i1 %.522.inv.i, label %B1074.i, label %B654.if.preheader.i
 
-common.ret:                                       ; preds = %_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v545B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B2160.endif.endif.endif.endif.if
-  %common.ret.op = phi i32 [ 1, %B2160.endif.endif.endif.endif.if ], [ 0, %_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v545B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
+common.ret:                                       ; preds = %_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B2160.endif.endif.endif.endif.if
+  %common.ret.op = phi i32 [ 1, %B2160.endif.endif.endif.endif.if ], [ 0, %_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
   ret i32 %common.ret.op
 
 B66.i:                                            ; preds = %B780, %B66.i
@@ -11617,7 +11699,7 @@ select.true.sink.i.i:                             ; preds = %B246.i
   %.53.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.52.i.i, double 0x3FA5555555555555)
   %.54.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.53.i.i, double -5.000000e-01)
   %.55.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.54.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v395B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
 select.false.sink.i.i:                            ; preds = %B246.i
   %.46.i.i = fmul contract double %.38.i.i, %.39.i.i
@@ -11628,9 +11710,9 @@ select.false.sink.i.i:                            ; preds = %B246.i
   %.44.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.43.i.i, double 0x3F81111111111111)
   %.45.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i, double %.44.i.i, double 0xBFC5555555555555)
   %.47.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i, double %.45.i.i, double %.38.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v395B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v395B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i: ; preds = %select.false.sink.i.i, %select.true.sink.i.i
   %.71.v.i.i = phi double [ %.55.i.i, %select.true.sink.i.i ], [ %.47.i.i, %select.false.sink.i.i ]
   %.65.i.i = shl i64 %.56.i.i, 62
   %.66.i.i = add i64 %.65.i.i, 4611686018427387904
@@ -11653,8 +11735,8 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   store double %.1531.i, ptr %.1485.i, align 8, !noalias !288
   br label %B556.i
 
-B556.i:                                           ; preds = %B184.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
-  %.182736.i = phi double [ %.1531.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ %.182735.i, %B184.if.i ]
+B556.i:                                           ; preds = %B184.if.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v395B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i
+  %.182736.i = phi double [ %.1531.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v395B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i ], [ %.182735.i, %B184.if.i ]
   %scevgep27 = getelementptr i8, ptr %.1144, i64 %56
   %.1626.i = load double, ptr %scevgep27, align 8, !noalias !288
   %.1627.i = fadd contract double %.159537.i, %.1626.i
@@ -11749,7 +11831,7 @@ B1074.i:                                          ; preds = %B654.if.i, %B2160
   %.1067.inv.i = icmp slt i64 %.1066.i, 1
   %.1109745.not876.i = icmp eq i64 %.1088.i, 0
   %.1109745.not.i = or i1 %.1067.inv.i, %.1109745.not876.i
-  br i1 %.1109745.not.i, label %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1118.if.preheader.i
+  br i1 %.1109745.not.i, label %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1118.if.preheader.i
 
 B1118.if.preheader.i:                             ; preds = %B1074.i
   %62 = shl i64 %.13.i.i, 3
@@ -11814,9 +11896,9 @@ B1118.if.i:                                       ; preds = %B1118.if.i, %B1118.
   %scevgep431 = getelementptr i8, ptr %lsr.iv430, i64 64
   %lsr.iv.next7 = add nsw i64 %lsr.iv6, -1
   %.1109.i = icmp sgt i64 %lsr.iv6, 8
-  br i1 %.1109.i, label %B1118.if.i, label %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.1109.i, label %B1118.if.i, label %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit
 
-_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1118.if.i, %B1074.i
+_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1118.if.i, %B1074.i
   %constant.4.0.lcssa.i = phi <8 x double> [ %constant.3.0.lcssa.i, %B1074.i ], [ %.1168.i, %B1118.if.i ]
   store <8 x double> %s0.2.0.lcssa.i, ptr %arg.sums.4, align 8, !noalias !291
   store <8 x double> %s1.2.0.lcssa.i, ptr %.193.i176, align 8, !noalias !291
@@ -11867,27 +11949,27 @@ _ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IK
   %.5301498.not.i = or i1 %.488.inv.i, %.5301498.not2171.i
   br i1 %.5301498.not.i, label %B1356.i, label %B904.if.preheader.i
 
-B904.if.preheader.i:                              ; preds = %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit
+B904.if.preheader.i:                              ; preds = %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit
   %66 = add nuw nsw i64 %.509.i, 7
   br label %B904.if.i
 
-B1356.i:                                          ; preds = %B904.if.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit
-  %s0.2.0.lcssa.i189 = phi <8 x double> [ %.142.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i631.i, %B904.if.i ]
-  %s1.2.0.lcssa.i190 = phi <8 x double> [ %.152.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i632.i, %B904.if.i ]
-  %s2.2.0.lcssa.i191 = phi <8 x double> [ %.163.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i635.i, %B904.if.i ]
-  %s3.2.0.lcssa.i192 = phi <8 x double> [ %.174.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i636.i, %B904.if.i ]
-  %s4.2.0.lcssa.i193 = phi <8 x double> [ %.221.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i639.i, %B904.if.i ]
-  %s5.2.0.lcssa.i194 = phi <8 x double> [ %.232.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i640.i, %B904.if.i ]
-  %s6.2.0.lcssa.i195 = phi <8 x double> [ %.243.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i643.i, %B904.if.i ]
-  %s7.2.0.lcssa.i196 = phi <8 x double> [ %.254.i183, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i644.i, %B904.if.i ]
-  %s8.2.0.lcssa.i = phi <8 x double> [ %.301.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i647.i, %B904.if.i ]
-  %s9.2.0.lcssa.i = phi <8 x double> [ %.312.i184, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i648.i, %B904.if.i ]
-  %s10.2.0.lcssa.i = phi <8 x double> [ %.323.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i651.i, %B904.if.i ]
-  %s11.2.0.lcssa.i = phi <8 x double> [ %.334.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i652.i, %B904.if.i ]
-  %s12.2.0.lcssa.i = phi <8 x double> [ %.381.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i655.i, %B904.if.i ]
-  %s13.2.0.lcssa.i = phi <8 x double> [ %.392.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i656.i, %B904.if.i ]
-  %s14.2.0.lcssa.i = phi <8 x double> [ %.403.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.1337.i, %B904.if.i ]
-  %s15.2.0.lcssa.i = phi <8 x double> [ %.414.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.1339.i, %B904.if.i ]
+B1356.i:                                          ; preds = %B904.if.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %s0.2.0.lcssa.i189 = phi <8 x double> [ %.142.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i631.i, %B904.if.i ]
+  %s1.2.0.lcssa.i190 = phi <8 x double> [ %.152.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i632.i, %B904.if.i ]
+  %s2.2.0.lcssa.i191 = phi <8 x double> [ %.163.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i635.i, %B904.if.i ]
+  %s3.2.0.lcssa.i192 = phi <8 x double> [ %.174.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i636.i, %B904.if.i ]
+  %s4.2.0.lcssa.i193 = phi <8 x double> [ %.221.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i639.i, %B904.if.i ]
+  %s5.2.0.lcssa.i194 = phi <8 x double> [ %.232.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i640.i, %B904.if.i ]
+  %s6.2.0.lcssa.i195 = phi <8 x double> [ %.243.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i643.i, %B904.if.i ]
+  %s7.2.0.lcssa.i196 = phi <8 x double> [ %.254.i183, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i644.i, %B904.if.i ]
+  %s8.2.0.lcssa.i = phi <8 x double> [ %.301.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i647.i, %B904.if.i ]
+  %s9.2.0.lcssa.i = phi <8 x double> [ %.312.i184, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i648.i, %B904.if.i ]
+  %s10.2.0.lcssa.i = phi <8 x double> [ %.323.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i651.i, %B904.if.i ]
+  %s11.2.0.lcssa.i = phi <8 x double> [ %.334.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i652.i, %B904.if.i ]
+  %s12.2.0.lcssa.i = phi <8 x double> [ %.381.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i655.i, %B904.if.i ]
+  %s13.2.0.lcssa.i = phi <8 x double> [ %.392.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.6.i656.i, %B904.if.i ]
+  %s14.2.0.lcssa.i = phi <8 x double> [ %.403.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.1337.i, %B904.if.i ]
+  %s15.2.0.lcssa.i = phi <8 x double> [ %.414.i, %_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.1339.i, %B904.if.i ]
   br label %B1418.if.i
 
 B1480.i:                                          ; preds = %B1418.if.i
@@ -11909,7 +11991,7 @@ B1480.i:                                          ; preds = %B1418.if.i
   %.266.i = getelementptr inbounds nuw i8, ptr %arg.sums.4, i64 1984
   %.268.i = load <8 x double>, ptr %.266.i, align 8, !noalias !305
   %.384635.not.i = or i1 %.488.inv.i, %.5301498.not2171.i
-  br i1 %.384635.not.i, label %_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v545B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B508.if.preheader.i
+  br i1 %.384635.not.i, label %_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B508.if.preheader.i
 
 B904.if.i:                                        ; preds = %B904.if.i, %B904.if.preheader.i
   %lsr.iv4 = phi i64 [ %lsr.iv.next5, %B904.if.i ], [ %66, %B904.if.preheader.i ]
@@ -12091,9 +12173,9 @@ B508.if.i:                                        ; preds = %B508.if.i, %B508.if
   %scevgep423 = getelementptr i8, ptr %lsr.iv422, i64 64
   %lsr.iv.next = add nsw i64 %lsr.iv2, -1
   %.384.i = icmp sgt i64 %lsr.iv2, 8
-  br i1 %.384.i, label %B508.if.i, label %_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v545B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.384.i, label %B508.if.i, label %_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
-_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v545B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B508.if.i, %B1480.i
+_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B508.if.i, %B1480.i
   %s0.2.0.lcssa.i206 = phi <8 x double> [ %.156.i, %B1480.i ], [ %.6.i151.i, %B508.if.i ]
   %s1.2.0.lcssa.i207 = phi <8 x double> [ %.166.i, %B1480.i ], [ %.6.i152.i, %B508.if.i ]
   %s2.2.0.lcssa.i208 = phi <8 x double> [ %.177.i, %B1480.i ], [ %.6.i155.i, %B508.if.i ]
@@ -12175,9 +12257,9 @@ B108.if.i:                                        ; preds = %B108.if.i, %entry
   store double %.486.i, ptr %scevgep10.i, align 8, !noalias !308
   %lsr.iv.next.i = add nuw nsw i64 %lsr.iv.i, 8
   %exitcond.not.i = icmp eq i64 %lsr.iv.next.i, 272
-  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate7adjoint7_series6gatherB4v553B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.if.i
+  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate7adjoint7_series6gatherB4v554B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B108.if.i
 
-_ZN17bnserve_surrogate7adjoint7_series6gatherB4v553B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B108.if.i
+_ZN17bnserve_surrogate7adjoint7_series6gatherB4v554B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B108.if.i
   %.43.i = getelementptr inbounds nuw i8, ptr %arg.sums.4, i64 2176
   tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(2176) %arg.sums.4, i8 0, i64 2176, i1 false), !noalias !308
   %.692 = getelementptr inbounds nuw i8, ptr %arg.state.11.4, i64 1728
@@ -12397,7 +12479,7 @@ _ZN17bnserve_surrogate7adjoint7_series6gatherB4v553B86c8tJTIeFIjxB2IKSgI4CrvSCKg
   store double %.1000, ptr %.964, align 8
   br i1 %.199.not, label %B420, label %B366
 
-B366:                                             ; preds = %_ZN17bnserve_surrogate7adjoint7_series6gatherB4v553B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B366:                                             ; preds = %_ZN17bnserve_surrogate7adjoint7_series6gatherB4v554B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.1061 = getelementptr i8, ptr %.878, i64 8
   %.1062 = load double, ptr %.1061, align 8
   %.727.le.i = tail call contract double @llvm.log.f64(double %.1062)
@@ -12659,7 +12741,7 @@ B382.i.i:                                         ; preds = %B370.i.i
   %.477.i.i = fmul contract double %.460.i.i, %.476.i.i
   %.478.i.i = fadd contract double %.477.i.i, %.457.i.i
   store double %.478.i.i, ptr %61, align 8, !noalias !321
-  br label %_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v574B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i
+  br label %_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v575B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i
 
 B282.i.i.i:                                       ; preds = %for.body.1.i.i.i.i, %B16.i.i.i.i, %B366
   %storemerge.i.i.i = phi double [ 0x7FF8000000000000, %B366 ], [ %.29.i.i.i.i, %B16.i.i.i.i ], [ %.42.le.i.i.i.i, %for.body.1.i.i.i.i ]
@@ -12668,7 +12750,7 @@ B282.i.i.i:                                       ; preds = %for.body.1.i.i.i.i,
   %.127.i.2.i.i = fmul contract double %storemerge.i.i.i, %.147.i.1.i.i
   %.73.le.i.i = tail call contract double @llvm.log.f64(double %.736.i)
   %.168.i.i.i = fcmp une double %.127.i.2.i.i, 0.000000e+00
-  br i1 %.168.i.i.i, label %B134.if.lr.ph.i.i, label %_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v574B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i, !prof !23
+  br i1 %.168.i.i.i, label %B134.if.lr.ph.i.i, label %_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v575B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i, !prof !23
 
 B134.if.lr.ph.i.i:                                ; preds = %B282.i.i.i
   %.175.i.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i.i
@@ -12694,11 +12776,11 @@ B134.if.i.i:                                      ; preds = %B134.if.lr.ph.i.i, 
   %or.cond.i.i = icmp ult i64 %78, 7
   br i1 %or.cond.i.i, label %B258.i.i, label %B370.i.i
 
-_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v574B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i: ; preds = %B282.i.i.i, %B382.i.i
+_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v575B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i: ; preds = %B282.i.i.i, %B382.i.i
   %excinfo.14.0.i = phi ptr [ null, %B382.i.i ], [ null, %B282.i.i.i ]
-  br i1 %.168.i.i.i, label %B1378.endif.endif.endif.endif.endif.endif.endif.i, label %_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE.exit, !prof !23
+  br i1 %.168.i.i.i, label %B1378.endif.endif.endif.endif.endif.endif.endif.i, label %_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v558B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE.exit, !prof !23
 
-B1378.endif.endif.endif.endif.endif.endif.endif.i: ; preds = %_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v574B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i
+B1378.endif.endif.endif.endif.endif.endif.endif.i: ; preds = %_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v575B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i
   %.2737.i = getelementptr i8, ptr %arg.state.1.4, i64 112
   %.2738.i = load i64, ptr %.2737.i, align 8, !noalias !314
   %.2774.i = getelementptr i8, ptr %arg.state.1.4, i64 56
@@ -12773,13 +12855,13 @@ B1378.endif.endif.endif.endif.endif.endif.endif.i: ; preds = %_ZN17bnserve_surro
   %.3480.3.i = fadd contract double %.3468.3.i, %.3412.3.i
   %.3486.3.i = fsub contract double %.3355.3.i, %.3480.3.i
   store double %.3486.3.i, ptr %90, align 8, !noalias !314
-  br label %_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE.exit
+  br label %_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v558B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE.exit
 
-_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v574B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i, %B1378.endif.endif.endif.endif.endif.endif.endif.i
-  %excinfo.6.0 = phi ptr [ null, %B1378.endif.endif.endif.endif.endif.endif.endif.i ], [ %excinfo.14.0.i, %_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v574B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i ]
+_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v558B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v575B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i, %B1378.endif.endif.endif.endif.endif.endif.endif.i
+  %excinfo.6.0 = phi ptr [ null, %B1378.endif.endif.endif.endif.endif.endif.endif.i ], [ %excinfo.14.0.i, %_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v575B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd.exit.i ]
   br i1 %.168.i.i.i, label %B420, label %B366.if, !prof !23
 
-B420:                                             ; preds = %_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_surrogate7adjoint7_series6gatherB4v553B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B420:                                             ; preds = %_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v558B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_surrogate7adjoint7_series6gatherB4v554B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.1262 = getelementptr i8, ptr %arg.state.0.4, i64 88
   %.1263 = load i64, ptr %.1262, align 8
   %.81.i = fmul contract double %arg.mass, 0x400921FB54442D18
@@ -12937,7 +13019,7 @@ B1292.i:                                          ; preds = %B1268.i
   %.127.i.2.i.i13 = fmul contract double %.27.i.i, %.147.i.1.i.i12
   %.39.le.i.i = tail call contract double @llvm.log.f64(double %.27.i.i)
   %.168.i.i.i14 = fcmp une double %.127.i.2.i.i13, 0.000000e+00
-  br i1 %.168.i.i.i14, label %B136.if.lr.ph.i.i, label %_ZN17bnserve_surrogate7adjoint7_series11series_backB4v577B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, !prof !23
+  br i1 %.168.i.i.i14, label %B136.if.lr.ph.i.i, label %_ZN17bnserve_surrogate7adjoint7_series11series_backB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, !prof !23
 
 B136.if.lr.ph.i.i:                                ; preds = %B1292.i
   %.175.i.i.i15 = fdiv contract double 1.000000e+00, %.127.i.2.i.i13
@@ -12975,7 +13057,7 @@ B136.if.i.i:                                      ; preds = %B136.if.i.i, %B136.
   %.539.i.i = fmul contract double %.27.i.i, %power.2.0164.i.i
   %ov.i = icmp eq i64 %lsr.iv.i16, -1
   %lsr.iv.next.i19 = add nsw i64 %lsr.iv.i16, 1
-  br i1 %ov.i, label %_ZN17bnserve_surrogate7adjoint7_series11series_backB4v577B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B136.if.i.i
+  br i1 %ov.i, label %_ZN17bnserve_surrogate7adjoint7_series11series_backB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B136.if.i.i
 
 B598.if.i:                                        ; preds = %B746.i, %B420
   %power.1.2.0767.i = phi double [ %.645.i, %B420 ], [ %.1223.i, %B746.i ]
@@ -12990,7 +13072,7 @@ B598.if.i:                                        ; preds = %B746.i, %B420
   %or.cond.i = icmp ult i64 %103, 7
   br i1 %or.cond.i, label %B680.i, label %B746.i
 
-_ZN17bnserve_surrogate7adjoint7_series11series_backB4v577B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B136.if.i.i, %B1292.i
+_ZN17bnserve_surrogate7adjoint7_series11series_backB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B136.if.i.i, %B1292.i
   %excinfo.7.0 = phi ptr [ null, %B1292.i ], [ null, %B136.if.i.i ]
   br i1 %.168.i.i.i14, label %B420.endif, label %B420.if, !prof !23
 
@@ -12998,15 +13080,15 @@ common.ret:                                       ; preds = %B420.endif, %B420.i
   %common.ret.op = phi i32 [ 1, %B420.if ], [ 0, %B420.endif ], [ 1, %B366.if ]
   ret i32 %common.ret.op
 
-B366.if:                                          ; preds = %_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE.exit
+B366.if:                                          ; preds = %_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v558B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE.exit
   store ptr %excinfo.6.0, ptr %excinfo, align 8
   br label %common.ret
 
-B420.if:                                          ; preds = %_ZN17bnserve_surrogate7adjoint7_series11series_backB4v577B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B420.if:                                          ; preds = %_ZN17bnserve_surrogate7adjoint7_series11series_backB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   store ptr %excinfo.7.0, ptr %excinfo, align 8
   br label %common.ret
 
-B420.endif:                                       ; preds = %B902.i, %B1268.i, %_ZN17bnserve_surrogate7adjoint7_series11series_backB4v577B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B420.endif:                                       ; preds = %B902.i, %B1268.i, %_ZN17bnserve_surrogate7adjoint7_series11series_backB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 }
@@ -13041,7 +13123,7 @@ entry:
   %cond = icmp eq i32 %.1171, 0
   br i1 %cond, label %B0.endif.endif.endif.endif.endif.endif, label %B0.endif.endif.endif.endif.endif.if, !prof !23
 
-B820:                                             ; preds = %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B820:                                             ; preds = %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %0 = getelementptr double, ptr %.2134, i64 %.1970
   %.2203 = getelementptr i8, ptr %0, i64 -8
   %.2204 = load double, ptr %.2203, align 8
@@ -13051,8 +13133,8 @@ B820:                                             ; preds = %_ZN17bnserve_surrog
   %.2220 = fdiv contract double %.2216, %.2214
   br label %B5339
 
-B5339:                                            ; preds = %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B820
-  %prepared_grid_v229__vphi308_0.2.0 = phi double [ %.2220, %B820 ], [ 0.000000e+00, %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
+B5339:                                            ; preds = %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B820
+  %prepared_grid_v230__vphi308_0.2.0 = phi double [ %.2220, %B820 ], [ 0.000000e+00, %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ]
   %.2260 = getelementptr i8, ptr %arg.state.0.4, i64 48
   %.2261 = load i64, ptr %.2260, align 8
   %.2269 = inttoptr i64 %.2261 to ptr
@@ -13062,7 +13144,7 @@ B5339:                                            ; preds = %_ZN17bnserve_surrog
   %.2573.le = tail call contract double @llvm.log.f64(double %.2565)
   %.2578 = fsub contract double %.2573.le, %.2478.le
   store i64 0, ptr %.2624, align 8
-  call fastcc void @inner_5(ptr nonnull %.2624, ptr %.2134, i64 %.1970, ptr %.2269, i64 %.2030, double %prepared_grid_v229__vphi308_0.2.0, double %.2578)
+  call fastcc void @inner_5(ptr nonnull %.2624, ptr %.2134, i64 %.1970, ptr %.2269, i64 %.2030, double %prepared_grid_v230__vphi308_0.2.0, double %.2578)
   %.2642 = load i64, ptr %.2624, align 8
   %.2714 = getelementptr i8, ptr %.350, i64 8
   %.2715 = load double, ptr %.2714, align 8
@@ -13070,16 +13152,16 @@ B5339:                                            ; preds = %_ZN17bnserve_surrog
   %.2728.le = tail call contract double @llvm.log.f64(double %.2720)
   %.2733 = fsub contract double %.2728.le, %.2478.le
   store i64 0, ptr %.2779, align 8
-  call fastcc void @inner_5(ptr nonnull %.2779, ptr %.2134, i64 %.1970, ptr %.2269, i64 %.2030, double %prepared_grid_v229__vphi308_0.2.0, double %.2733)
+  call fastcc void @inner_5(ptr nonnull %.2779, ptr %.2134, i64 %.1970, ptr %.2269, i64 %.2030, double %prepared_grid_v230__vphi308_0.2.0, double %.2733)
   %.2797 = load i64, ptr %.2779, align 8
   %.2854 = fsub contract double 0xC0126BB1BBB55515, %.2478.le
   store i64 0, ptr %.2900, align 8
-  call fastcc void @inner_5(ptr nonnull %.2900, ptr %.2134, i64 %.1970, ptr %.2269, i64 %.2030, double %prepared_grid_v229__vphi308_0.2.0, double %.2854)
+  call fastcc void @inner_5(ptr nonnull %.2900, ptr %.2134, i64 %.1970, ptr %.2269, i64 %.2030, double %prepared_grid_v230__vphi308_0.2.0, double %.2854)
   %.2918 = load i64, ptr %.2900, align 8
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.2797, i64 %.2918)
   %.3013 = fsub contract double 0xC00F4BD2B7AC1BAF, %.2478.le
   store i64 0, ptr %.3059, align 8
-  call fastcc void @inner_5(ptr nonnull %.3059, ptr %.2134, i64 %.1970, ptr %.2269, i64 %.2030, double %prepared_grid_v229__vphi308_0.2.0, double %.3013)
+  call fastcc void @inner_5(ptr nonnull %.3059, ptr %.2134, i64 %.1970, ptr %.2269, i64 %.2030, double %prepared_grid_v230__vphi308_0.2.0, double %.3013)
   %.3077 = load i64, ptr %.3059, align 8
   %.13.i56 = tail call i64 @llvm.smin.i64(i64 %.2797, i64 %.3077)
   %.3246 = getelementptr i8, ptr %arg.state.1.4, i64 120
@@ -13093,9 +13175,9 @@ B5339:                                            ; preds = %_ZN17bnserve_surrog
   %.181.i = icmp slt i64 %.3349, 3
   %..143.i = select i1 %.181.i, i64 0, i64 %.143.i
   %.225207.i = icmp sgt i64 %..143.i, 0
-  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+  br i1 %.225207.i, label %B92.if.preheader.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
 
-B5417:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+B5417:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
   %.3494 = getelementptr i8, ptr %arg.state.1.4, i64 112
   %.3495 = load i64, ptr %.3494, align 8
   %2 = getelementptr double, ptr %arg.state.2.4, i64 %.3495
@@ -13107,13 +13189,13 @@ B5417:                                            ; preds = %_ZN17bnserve_surrog
   %.181.i65 = icmp slt i64 %.3597, 3
   %..143.i66 = select i1 %.181.i65, i64 0, i64 %.143.i64
   %.225207.i67 = icmp sgt i64 %..143.i66, 0
-  br i1 %.225207.i67, label %B92.if.preheader.i71, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106
+  br i1 %.225207.i67, label %B92.if.preheader.i71, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106
 
 common.ret:                                       ; preds = %B0.endif.endif.endif.endif.endif.if, %B5419
   %common.ret.op = phi i32 [ 0, %B5419 ], [ 1, %B0.endif.endif.endif.endif.endif.if ]
   ret i32 %common.ret.op
 
-B5419:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
+B5419:                                            ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit
   store i64 %.2642, ptr %retptr, align 8
   %retptr.repack2632 = getelementptr inbounds nuw i8, ptr %retptr, i64 8
   store i64 %.2797, ptr %retptr.repack2632, align 8
@@ -13204,7 +13286,7 @@ B158.i.i:                                         ; preds = %B44.if.i.i
 
 B309.i.i:                                         ; preds = %B44.if.i.i, %B158.i.i
   %exitcond.not.i.i = icmp eq i64 %.132.i.i, 16
-  br i1 %exitcond.not.i.i, label %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B44.if.i.i
+  br i1 %exitcond.not.i.i, label %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B44.if.i.i
 
 B44.if.i.i:                                       ; preds = %B309.i.i, %B0.endif.endif.endif.endif.endif.endif
   %.125233235.i.i = phi i64 [ %.132.i.i, %B309.i.i ], [ 0, %B0.endif.endif.endif.endif.endif.endif ]
@@ -13223,7 +13305,7 @@ B44.if.i.i:                                       ; preds = %B309.i.i, %B0.endif
   %or.cond.i.i = icmp ult i64 %20, 7
   br i1 %or.cond.i.i, label %B158.i.i, label %B309.i.i
 
-_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B309.i.i
+_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B309.i.i
   %.338.i = fmul contract double %arg.mass, %.331.i
   %.341.i = fsub contract double 0.000000e+00, %.338.i
   %.432.i.i = getelementptr i8, ptr %arg.state.11.4, i64 1944
@@ -13268,7 +13350,7 @@ B92.if.preheader.i:                               ; preds = %B5339
 
 B146.i:                                           ; preds = %B92.if.i
   %.291.i = fsub contract double %.281.i, %.135.i
-  %.293.i = fmul contract double %prepared_grid_v229__vphi308_0.2.0, %.291.i
+  %.293.i = fmul contract double %prepared_grid_v230__vphi308_0.2.0, %.291.i
   %.5.i.i = fptosi double %.293.i to i64
   %.13.i5.i = tail call i64 @llvm.smin.i64(i64 %.2030, i64 %.5.i.i)
   %.354.i = getelementptr inbounds i64, ptr %.2269, i64 %.13.i5.i
@@ -13302,7 +13384,7 @@ B386.i:                                           ; preds = %B346.i, %B324.i, %B
   %25 = getelementptr i64, ptr %arg.state.9.1.4, i64 %.231203208.i
   store i64 %.13.i.i, ptr %25, align 8, !noalias !333
   %exitcond216.not.i = icmp eq i64 %.238.i, %..143.i
-  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
+  br i1 %exitcond216.not.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B92.if.i
 
 B92.if.i:                                         ; preds = %B386.i, %B92.if.preheader.i
   %end.3.0210.i = phi i64 [ %end.4.1.i, %B386.i ], [ 0, %B92.if.preheader.i ]
@@ -13314,7 +13396,7 @@ B92.if.i:                                         ; preds = %B386.i, %B92.if.pre
   %.287.i = fcmp contract ult double %.281.i, %.135.i
   br i1 %.287.i, label %B386.i, label %B146.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B5339
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B386.i, %B5339
   %.586.inv.i = icmp sgt i64 %.3349, 1
   %.587.i = select i1 %.586.inv.i, i64 0, i64 %arg.state.9.1.5.0
   %26 = getelementptr i64, ptr %arg.state.9.1.4, i64 %.143.i
@@ -13334,7 +13416,7 @@ B92.if.preheader.i71:                             ; preds = %B5417
 
 B146.i80:                                         ; preds = %B92.if.i72
   %.291.i81 = fsub contract double %.281.i78, %.135.i63
-  %.293.i82 = fmul contract double %prepared_grid_v229__vphi308_0.2.0, %.291.i81
+  %.293.i82 = fmul contract double %prepared_grid_v230__vphi308_0.2.0, %.291.i81
   %.5.i.i83 = fptosi double %.293.i82 to i64
   %.13.i5.i84 = tail call i64 @llvm.smin.i64(i64 %.2030, i64 %.5.i.i83)
   %.354.i85 = getelementptr inbounds i64, ptr %.2269, i64 %.13.i5.i84
@@ -13368,7 +13450,7 @@ B386.i89:                                         ; preds = %B346.i100, %B324.i9
   %31 = getelementptr i64, ptr %arg.state.9.0.4, i64 %.231203208.i74
   store i64 %.13.i.i91, ptr %31, align 8, !noalias !336
   %exitcond216.not.i92 = icmp eq i64 %.238.i75, %..143.i66
-  br i1 %exitcond216.not.i92, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106, label %B92.if.i72
+  br i1 %exitcond216.not.i92, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106, label %B92.if.i72
 
 B92.if.i72:                                       ; preds = %B386.i89, %B92.if.preheader.i71
   %end.3.0210.i73 = phi i64 [ %end.4.1.i90, %B386.i89 ], [ 0, %B92.if.preheader.i71 ]
@@ -13380,7 +13462,7 @@ B92.if.i72:                                       ; preds = %B386.i89, %B92.if.p
   %.287.i79 = fcmp contract ult double %.281.i78, %.135.i63
   br i1 %.287.i79, label %B386.i89, label %B146.i80
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106: ; preds = %B386.i89, %B5417
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106: ; preds = %B386.i89, %B5417
   %.586.inv.i68 = icmp sgt i64 %.3597, 1
   %.587.i69 = select i1 %.586.inv.i68, i64 0, i64 %arg.state.9.0.5.0
   %32 = getelementptr i64, ptr %arg.state.9.0.4, i64 %.143.i64
@@ -14574,7 +14656,7 @@ entry:
   %scevgep9 = getelementptr i8, ptr %arg.out.4, i64 152
   br label %B154.if.i
 
-B848:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v249B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B848:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.1268 = getelementptr i8, ptr %arg.band.4, i64 16
   %.1269 = load double, ptr %.1268, align 8
   %.1270 = fcmp contract ogt double %.1269, 0.000000e+00
@@ -14588,7 +14670,7 @@ B872:                                             ; preds = %B848
   %.127.i.2.i = fmul contract double %.26.i, %.147.i.1.i
   %.38.le.i = tail call contract double @llvm.log.f64(double %.26.i)
   %.168.i.i = fcmp une double %.127.i.2.i, 0.000000e+00
-  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !23
+  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !23
 
 B134.if.lr.ph.i:                                  ; preds = %B872
   %.175.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i
@@ -14624,14 +14706,14 @@ B134.if.i:                                        ; preds = %B134.if.i, %B134.if
   %.493.i = fmul contract double %.26.i, %power.2.0146.i
   %ov = icmp eq i64 %lsr.iv1, -1
   %lsr.iv.next2 = add nsw i64 %lsr.iv1, 1
-  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
+  br i1 %ov, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
 
-_ZN17bnserve_surrogate6kernel7_series8legendreB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B872
+_ZN17bnserve_surrogate6kernel7_series8legendreB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B872
   %.1339.0 = phi double [ 0.000000e+00, %B872 ], [ %.488.i, %B134.if.i ]
   %excinfo.7.0 = phi ptr [ null, %B872 ], [ null, %B134.if.i ]
   br i1 %.168.i.i, label %B872.endif, label %B872.if, !prof !23
 
-B944:                                             ; preds = %B872.endif, %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v249B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B848
+B944:                                             ; preds = %B872.endif, %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B848
   %.1447 = getelementptr i8, ptr %arg.row.4, i64 72
   %.1448 = load double, ptr %.1447, align 8
   %.1454 = fmul contract double %.1448, 0x401921FB54442D18
@@ -14668,7 +14750,7 @@ B356.i:                                           ; preds = %B154.if.i, %B278.i
   %.596.i = fmul contract double %.306, %power.2.0232.i
   %lsr.iv.next = add nuw nsw i64 %lsr.iv, 1
   %exitcond.not.i10 = icmp eq i64 %lsr.iv.next, 16
-  br i1 %exitcond.not.i10, label %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v249B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B154.if.i
+  br i1 %exitcond.not.i10, label %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B154.if.i
 
 B154.if.i:                                        ; preds = %B356.i, %entry
   %lsr.iv = phi i64 [ %lsr.iv.next, %B356.i ], [ 0, %entry ]
@@ -14691,7 +14773,7 @@ B154.if.i:                                        ; preds = %B356.i, %entry
   %or.cond.i = icmp ult i64 %47, 7
   br i1 %or.cond.i, label %B278.i, label %B356.i
 
-_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v249B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B356.i
+_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B356.i
   %.672.i = load double, ptr %.1336.i.i, align 8, !noalias !379
   %.680.i = fmul contract double %.305, %.672.i
   %.684.i = fdiv contract double %.680.i, 9.000000e+00
@@ -14711,11 +14793,11 @@ _ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v249B86c8tJTIeFIjxB2IK
   %.1238 = icmp eq i64 %arg.alignment, 1
   br i1 %.1238, label %B848, label %B944
 
-B872.if:                                          ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B872.if:                                          ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   store ptr %excinfo.7.0, ptr %excinfo, align 8
   br label %common.ret
 
-B872.endif:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B872.endif:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   %.1374 = fadd contract double %.1206, %.1339.0
   store double %.1374, ptr %sunkaddr45, align 8
   br label %B944
@@ -16471,8 +16553,8 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !22 = distinct !{!22, !"_ZN17bnserve_surrogate7adjoint7_source6_clearB4v118B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx"}
 !23 = !{!"branch_weights", i32 49, i32 1}
 !24 = !{!25, !5, !7, !1, !3}
-!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v713B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!26 = distinct !{!26, !"_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v713B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!25 = distinct !{!25, !26, !"_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v714B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!26 = distinct !{!26, !"_ZN17bnserve_surrogate7adjoint7_source12_ratios_backB4v714B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !27 = !{!28, !5, !7, !1, !3}
 !28 = distinct !{!28, !29, !"_ZN17bnserve_surrogate7adjoint7_source6_clearB4v118B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
 !29 = distinct !{!29, !"_ZN17bnserve_surrogate7adjoint7_source6_clearB4v118B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx"}
@@ -16495,81 +16577,81 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !46 = distinct !{!46, !47, !"_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !47 = distinct !{!47, !"_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE"}
 !48 = !{!49, !51}
-!49 = distinct !{!49, !50, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v187B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!50 = distinct !{!50, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v187B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE"}
-!51 = distinct !{!51, !50, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v187B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!49 = distinct !{!49, !50, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v188B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!50 = distinct !{!50, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v188B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE"}
+!51 = distinct !{!51, !50, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v188B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !52 = !{!53, !49, !51}
-!53 = distinct !{!53, !54, !"_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E: %retptr"}
-!54 = distinct !{!54, !"_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E"}
+!53 = distinct !{!53, !54, !"_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E: %retptr"}
+!54 = distinct !{!54, !"_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E"}
 !55 = !{!56, !53, !49, !51}
-!56 = distinct !{!56, !57, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!57 = distinct !{!57, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!56 = distinct !{!56, !57, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!57 = distinct !{!57, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !58 = distinct !{!58, !59}
 !59 = !{!"llvm.loop.unroll.disable"}
 !60 = !{!61, !49, !51}
-!61 = distinct !{!61, !62, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
-!62 = distinct !{!62, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
+!61 = distinct !{!61, !62, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
+!62 = distinct !{!62, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
 !63 = !{!64, !61, !49, !51}
-!64 = distinct !{!64, !65, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v426B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!65 = distinct !{!65, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v426B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!64 = distinct !{!64, !65, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!65 = distinct !{!65, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !66 = !{!67, !69}
-!67 = distinct !{!67, !68, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!68 = distinct !{!68, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE"}
-!69 = distinct !{!69, !68, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v647B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!67 = distinct !{!67, !68, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v648B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!68 = distinct !{!68, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v648B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE"}
+!69 = distinct !{!69, !68, !"_ZN17bnserve_surrogate7adjoint4_row6_orderB4v648B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !70 = !{!71, !67, !69}
-!71 = distinct !{!71, !72, !"_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E: %retptr"}
-!72 = distinct !{!72, !"_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v326B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E"}
+!71 = distinct !{!71, !72, !"_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E: %retptr"}
+!72 = distinct !{!72, !"_ZN17bnserve_surrogate8tangents8_carrier10fill_blockB4v327B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29dxx8UniTupleIxLi4EE8UniTupleIxLi2EE5TupleIx23Literal_5bint_5d_281_29E"}
 !73 = !{!74, !71, !67, !69}
-!74 = distinct !{!74, !75, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!75 = distinct !{!75, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!74 = distinct !{!74, !75, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!75 = distinct !{!75, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v384B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !76 = !{!77, !71, !67, !69}
-!77 = distinct !{!77, !78, !"_ZN17bnserve_surrogate8tangents8_carrier7_extendB4v389B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29x5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!78 = distinct !{!78, !"_ZN17bnserve_surrogate8tangents8_carrier7_extendB4v389B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29x5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!77 = distinct !{!77, !78, !"_ZN17bnserve_surrogate8tangents8_carrier7_extendB4v390B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29x5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!78 = distinct !{!78, !"_ZN17bnserve_surrogate8tangents8_carrier7_extendB4v390B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29x5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !79 = !{!80, !77, !71, !67, !69}
-!80 = distinct !{!80, !81, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v393B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!81 = distinct !{!81, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v393B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!80 = distinct !{!80, !81, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v394B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!81 = distinct !{!81, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v394B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !82 = !{!83, !71, !67, !69}
-!83 = distinct !{!83, !84, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v396B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!84 = distinct !{!84, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v396B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!83 = distinct !{!83, !84, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v397B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!84 = distinct !{!84, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v397B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !85 = !{!86, !71, !67, !69}
-!86 = distinct !{!86, !87, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v397B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!87 = distinct !{!87, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v397B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!86 = distinct !{!86, !87, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v398B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!87 = distinct !{!87, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v398B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !88 = !{!89, !71, !67, !69}
-!89 = distinct !{!89, !90, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v402B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!90 = distinct !{!90, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v402B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!89 = distinct !{!89, !90, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v403B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!90 = distinct !{!90, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v403B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !91 = !{!92, !71, !67, !69}
-!92 = distinct !{!92, !93, !"_ZN17bnserve_surrogate8tangents7_points9fill_lineB4v406B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!93 = distinct !{!93, !"_ZN17bnserve_surrogate8tangents7_points9fill_lineB4v406B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!92 = distinct !{!92, !93, !"_ZN17bnserve_surrogate8tangents7_points9fill_lineB4v407B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!93 = distinct !{!93, !"_ZN17bnserve_surrogate8tangents7_points9fill_lineB4v407B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !94 = !{!95, !71, !67, !69}
-!95 = distinct !{!95, !96, !"_ZN17bnserve_surrogate8tangents8_carrier5_fallB4v407B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!96 = distinct !{!96, !"_ZN17bnserve_surrogate8tangents8_carrier5_fallB4v407B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE"}
+!95 = distinct !{!95, !96, !"_ZN17bnserve_surrogate8tangents8_carrier5_fallB4v408B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!96 = distinct !{!96, !"_ZN17bnserve_surrogate8tangents8_carrier5_fallB4v408B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE"}
 !97 = !{!98, !71, !67, !69}
-!98 = distinct !{!98, !99, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v397B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!99 = distinct !{!99, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v397B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!98 = distinct !{!98, !99, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v398B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!99 = distinct !{!99, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v398B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !100 = distinct !{!100, !59}
 !101 = !{!102, !67, !69}
-!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
-!103 = distinct !{!103, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v410B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
+!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
+!103 = distinct !{!103, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v411B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_281_2923Literal_5bint_5d_280_29xxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
 !104 = !{!105, !102, !67, !69}
-!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v426B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!106 = distinct !{!106, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v426B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!105 = distinct !{!105, !106, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!106 = distinct !{!106, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !107 = !{!108, !67, !69}
-!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate7adjoint6_ratio10ratio_backB4v581B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!109 = distinct !{!109, !"_ZN17bnserve_surrogate7adjoint6_ratio10ratio_backB4v581B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!108 = distinct !{!108, !109, !"_ZN17bnserve_surrogate7adjoint6_ratio10ratio_backB4v582B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!109 = distinct !{!109, !"_ZN17bnserve_surrogate7adjoint6_ratio10ratio_backB4v582B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !110 = !{!111, !113, !108, !67, !69}
-!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!112 = distinct !{!112, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
-!113 = distinct !{!113, !114, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!114 = distinct !{!114, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!111 = distinct !{!111, !112, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!112 = distinct !{!112, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!113 = distinct !{!113, !114, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!114 = distinct !{!114, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !115 = !{!116, !108, !67, !69}
-!116 = distinct !{!116, !117, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!117 = distinct !{!117, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE"}
+!116 = distinct !{!116, !117, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!117 = distinct !{!117, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE"}
 !118 = !{!119, !67, !69}
-!119 = distinct !{!119, !120, !"_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v279B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29: %retptr"}
-!120 = distinct !{!120, !"_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v279B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29"}
+!119 = distinct !{!119, !120, !"_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v280B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29: %retptr"}
+!120 = distinct !{!120, !"_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v280B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdx23Literal_5bint_5d_281_29"}
 !121 = !{!122, !119, !67, !69}
-!122 = distinct !{!122, !123, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!123 = distinct !{!123, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!122 = distinct !{!122, !123, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!123 = distinct !{!123, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !124 = !{!125, !119, !67, !69}
 !125 = distinct !{!125, !126, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !126 = distinct !{!126, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v159B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
@@ -16583,77 +16665,77 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !134 = distinct !{!134, !135, !"_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !135 = distinct !{!135, !"_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v160B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE"}
 !136 = !{!137, !67, !69}
-!137 = distinct !{!137, !138, !"_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!138 = distinct !{!138, !"_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v307B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE"}
+!137 = distinct !{!137, !138, !"_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v308B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!138 = distinct !{!138, !"_ZN17bnserve_surrogate7adjoint6_ratio11clear_ratioB4v308B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedE"}
 !139 = !{!140, !137, !67, !69}
-!140 = distinct !{!140, !141, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!141 = distinct !{!141, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx"}
+!140 = distinct !{!140, !141, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!141 = distinct !{!141, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx"}
 !142 = !{!143, !137, !67, !69}
-!143 = distinct !{!143, !144, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!144 = distinct !{!144, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx"}
+!143 = distinct !{!143, !144, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!144 = distinct !{!144, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx"}
 !145 = !{!146, !67, !69}
-!146 = distinct !{!146, !147, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v408B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!147 = distinct !{!147, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v408B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!146 = distinct !{!146, !147, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v409B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!147 = distinct !{!147, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v409B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !148 = !{!149, !67, !69}
-!149 = distinct !{!149, !150, !"_ZN17bnserve_surrogate7adjoint4_row5_modeB4v427B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!150 = distinct !{!150, !"_ZN17bnserve_surrogate7adjoint4_row5_modeB4v427B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE"}
+!149 = distinct !{!149, !150, !"_ZN17bnserve_surrogate7adjoint4_row5_modeB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!150 = distinct !{!150, !"_ZN17bnserve_surrogate7adjoint4_row5_modeB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedExxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE"}
 !151 = !{!152, !149, !67, !69}
-!152 = distinct !{!152, !153, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
-!153 = distinct !{!153, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
+!152 = distinct !{!152, !153, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v452B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
+!153 = distinct !{!153, !"_ZN17bnserve_surrogate7adjoint4_row8_carrierB4v452B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
 !154 = !{!155, !152, !149, !67, !69}
-!155 = distinct !{!155, !156, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v426B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!156 = distinct !{!156, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v426B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!155 = distinct !{!155, !156, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!156 = distinct !{!156, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !157 = distinct !{!157, !59}
 !158 = distinct !{!158, !59}
 !159 = distinct !{!159, !59}
 !160 = distinct !{!160, !59}
 !161 = distinct !{!161, !59}
 !162 = !{!163, !149, !67, !69}
-!163 = distinct !{!163, !164, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v426B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!164 = distinct !{!164, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v426B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!163 = distinct !{!163, !164, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!164 = distinct !{!164, !"_ZN17bnserve_surrogate7adjoint5_sums13add_mode_barsB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !165 = distinct !{!165, !59}
 !166 = !{!167, !149, !67, !69}
-!167 = distinct !{!167, !168, !"_ZN17bnserve_surrogate8tangents4_row5_riseB4v466B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEddx692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE: %retptr"}
-!168 = distinct !{!168, !"_ZN17bnserve_surrogate8tangents4_row5_riseB4v466B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEddx692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE"}
+!167 = distinct !{!167, !168, !"_ZN17bnserve_surrogate8tangents4_row5_riseB4v467B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEddx692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE: %retptr"}
+!168 = distinct !{!168, !"_ZN17bnserve_surrogate8tangents4_row5_riseB4v467B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEddx692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE"}
 !169 = !{!170, !149, !67, !69}
-!170 = distinct !{!170, !171, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v471B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!171 = distinct !{!171, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v471B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29x5ArrayIdLi1E1C7mutable7alignedE"}
+!170 = distinct !{!170, !171, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!171 = distinct !{!171, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29x5ArrayIdLi1E1C7mutable7alignedE"}
 !172 = distinct !{!172, !59}
 !173 = !{!174, !149, !67, !69}
-!174 = distinct !{!174, !175, !"_ZN17bnserve_surrogate7adjoint5_sums15through_carrierB4v473B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE: %retptr"}
-!175 = distinct !{!175, !"_ZN17bnserve_surrogate7adjoint5_sums15through_carrierB4v473B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE"}
+!174 = distinct !{!174, !175, !"_ZN17bnserve_surrogate7adjoint5_sums15through_carrierB4v474B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE: %retptr"}
+!175 = distinct !{!175, !"_ZN17bnserve_surrogate7adjoint5_sums15through_carrierB4v474B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE"}
 !176 = !{!177, !149, !67, !69}
-!177 = distinct !{!177, !178, !"_ZN17bnserve_surrogate7adjoint6_ratio16ratio_block_backB4v474B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxd: %retptr"}
-!178 = distinct !{!178, !"_ZN17bnserve_surrogate7adjoint6_ratio16ratio_block_backB4v474B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxd"}
+!177 = distinct !{!177, !178, !"_ZN17bnserve_surrogate7adjoint6_ratio16ratio_block_backB4v475B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxd: %retptr"}
+!178 = distinct !{!178, !"_ZN17bnserve_surrogate7adjoint6_ratio16ratio_block_backB4v475B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxd"}
 !179 = !{!180, !177, !149, !67, !69}
-!180 = distinct !{!180, !181, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v471B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!181 = distinct !{!181, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v471B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29x5ArrayIdLi1E1C7mutable7alignedE"}
+!180 = distinct !{!180, !181, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29x5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!181 = distinct !{!181, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v472B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_280_29x5ArrayIdLi1E1C7mutable7alignedE"}
 !182 = !{!183, !177, !149, !67, !69}
-!183 = distinct !{!183, !184, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v496B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!184 = distinct !{!184, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v496B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!183 = distinct !{!183, !184, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v497B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!184 = distinct !{!184, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v497B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !185 = distinct !{!185, !59}
 !186 = !{!187}
-!187 = distinct !{!187, !188, !"_ZN17bnserve_surrogate7adjoint4_row7_finishB4v632B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!188 = distinct !{!188, !"_ZN17bnserve_surrogate7adjoint4_row7_finishB4v632B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!187 = distinct !{!187, !188, !"_ZN17bnserve_surrogate7adjoint4_row7_finishB4v633B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!188 = distinct !{!188, !"_ZN17bnserve_surrogate7adjoint4_row7_finishB4v633B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !189 = !{!190, !192, !187}
-!190 = distinct !{!190, !191, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!191 = distinct !{!191, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
-!192 = distinct !{!192, !193, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!193 = distinct !{!193, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!190 = distinct !{!190, !191, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!191 = distinct !{!191, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!192 = distinct !{!192, !193, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!193 = distinct !{!193, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !194 = !{!195, !197, !187}
-!195 = distinct !{!195, !196, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!196 = distinct !{!196, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v605B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
-!197 = distinct !{!197, !198, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!198 = distinct !{!198, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v601B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!195 = distinct !{!195, !196, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!196 = distinct !{!196, !"_ZN17bnserve_surrogate7adjoint5_sums3dotB4v606B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!197 = distinct !{!197, !198, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!198 = distinct !{!198, !"_ZN17bnserve_surrogate7adjoint8_splines12along_cubicsB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !199 = !{!200, !187}
-!200 = distinct !{!200, !201, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v643B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!201 = distinct !{!201, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v643B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE"}
+!200 = distinct !{!200, !201, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v644B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!201 = distinct !{!201, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v644B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxx23Literal_5bint_5d_280_295ArrayIdLi1E1C7mutable7alignedE"}
 !202 = !{!203, !187}
-!203 = distinct !{!203, !204, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!204 = distinct !{!204, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v607B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE"}
+!203 = distinct !{!203, !204, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!204 = distinct !{!204, !"_ZN17bnserve_surrogate7adjoint8_splines10cells_backB4v608B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExxxx5ArrayIdLi1E1C7mutable7alignedE"}
 !205 = !{!206, !187}
-!206 = distinct !{!206, !207, !"_ZN17bnserve_surrogate7adjoint7_series16add_coefficientsB4v646B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!207 = distinct !{!207, !"_ZN17bnserve_surrogate7adjoint7_series16add_coefficientsB4v646B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!206 = distinct !{!206, !207, !"_ZN17bnserve_surrogate7adjoint7_series16add_coefficientsB4v647B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!207 = distinct !{!207, !"_ZN17bnserve_surrogate7adjoint7_series16add_coefficientsB4v647B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !208 = !{!209, !211, !212, !214}
 !209 = distinct !{!209, !210, !"_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !210 = distinct !{!210, !"_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v167B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
@@ -16662,9 +16744,9 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !213 = distinct !{!213, !"_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
 !214 = distinct !{!214, !213, !"_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v161B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %excinfo"}
 !215 = !{!216, !218, !209, !211, !212, !214}
-!216 = distinct !{!216, !217, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE: %retptr"}
-!217 = distinct !{!217, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE"}
-!218 = distinct !{!218, !217, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE: %excinfo"}
+!216 = distinct !{!216, !217, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE: %retptr"}
+!217 = distinct !{!217, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE"}
+!218 = distinct !{!218, !217, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v173B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE: %excinfo"}
 !219 = !{!"branch_weights", i32 42949673, i32 2104533975}
 !220 = !{!"branch_weights", i32 1, i32 99}
 !221 = !{!222, !224, !216, !218, !209, !211, !212, !214}
@@ -16675,159 +16757,159 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !226 = distinct !{!226, !227, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v178B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li2E1C7mutable7alignedE: %retptr"}
 !227 = distinct !{!227, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v178B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li2E1C7mutable7alignedE"}
 !228 = !{!229, !231, !212, !214}
-!229 = distinct !{!229, !230, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v181B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!230 = distinct !{!230, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v181B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!231 = distinct !{!231, !230, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v181B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!229 = distinct !{!229, !230, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!230 = distinct !{!230, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!231 = distinct !{!231, !230, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !232 = !{!233, !235, !229, !231, !212, !214}
-!233 = distinct !{!233, !234, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE: %retptr"}
-!234 = distinct !{!234, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE"}
-!235 = distinct !{!235, !234, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v183B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE: %excinfo"}
+!233 = distinct !{!233, !234, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE: %retptr"}
+!234 = distinct !{!234, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE"}
+!235 = distinct !{!235, !234, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v184B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE: %excinfo"}
 !236 = !{!237}
-!237 = distinct !{!237, !238, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!238 = distinct !{!238, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx"}
+!237 = distinct !{!237, !238, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!238 = distinct !{!238, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx"}
 !239 = !{!240}
-!240 = distinct !{!240, !241, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!241 = distinct !{!241, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v186B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx"}
+!240 = distinct !{!240, !241, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!241 = distinct !{!241, !"_ZN17bnserve_surrogate7adjoint8_splines5clearB4v187B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx"}
 !242 = !{!243}
-!243 = distinct !{!243, !244, !"_ZN17bnserve_surrogate8tangents11_regression10_chebyshevB4v689B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!244 = distinct !{!244, !"_ZN17bnserve_surrogate8tangents11_regression10_chebyshevB4v689B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!243 = distinct !{!243, !244, !"_ZN17bnserve_surrogate8tangents11_regression10_chebyshevB4v690B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!244 = distinct !{!244, !"_ZN17bnserve_surrogate8tangents11_regression10_chebyshevB4v690B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !245 = !{!246}
-!246 = distinct !{!246, !247, !"_ZN17bnserve_surrogate7adjoint11_regression13_network_backB4v696B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!247 = distinct !{!247, !"_ZN17bnserve_surrogate7adjoint11_regression13_network_backB4v696B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!246 = distinct !{!246, !247, !"_ZN17bnserve_surrogate7adjoint11_regression13_network_backB4v697B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!247 = distinct !{!247, !"_ZN17bnserve_surrogate7adjoint11_regression13_network_backB4v697B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !248 = !{!249, !246}
-!249 = distinct !{!249, !250, !"_ZN17bnserve_surrogate8tangents8_network11add_networkB4v702B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
-!250 = distinct !{!250, !"_ZN17bnserve_surrogate8tangents8_network11add_networkB4v702B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
+!249 = distinct !{!249, !250, !"_ZN17bnserve_surrogate8tangents8_network11add_networkB4v703B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
+!250 = distinct !{!250, !"_ZN17bnserve_surrogate8tangents8_network11add_networkB4v703B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx"}
 !251 = !{!252, !249, !246}
-!252 = distinct !{!252, !253, !"_ZN17bnserve_surrogate8tangents8_network5_bendB4v711B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!253 = distinct !{!253, !"_ZN17bnserve_surrogate8tangents8_network5_bendB4v711B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
+!252 = distinct !{!252, !253, !"_ZN17bnserve_surrogate8tangents8_network5_bendB4v712B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!253 = distinct !{!253, !"_ZN17bnserve_surrogate8tangents8_network5_bendB4v712B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExxxx5ArrayIdLi1E1C7mutable7alignedE"}
 !254 = !{!255, !249, !246}
-!255 = distinct !{!255, !256, !"_ZN17bnserve_surrogate8tangents8_network6_beginB4v710B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!256 = distinct !{!256, !"_ZN17bnserve_surrogate8tangents8_network6_beginB4v710B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!255 = distinct !{!255, !256, !"_ZN17bnserve_surrogate8tangents8_network6_beginB4v711B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!256 = distinct !{!256, !"_ZN17bnserve_surrogate8tangents8_network6_beginB4v711B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !257 = !{!258, !249, !246}
 !258 = distinct !{!258, !259, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v96B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx: %retptr"}
 !259 = distinct !{!259, !"_ZN17bnserve_surrogate6kernel9_matrices8multiplyB3v96B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEx23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx"}
 !260 = !{!261, !263}
-!261 = distinct !{!261, !262, !"_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!262 = distinct !{!262, !"_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!263 = distinct !{!263, !264, !"_ZN17bnserve_surrogate7adjoint11_regression13multiply_backB4v682B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE23Literal_5bint_5d_281_29xx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!264 = distinct !{!264, !"_ZN17bnserve_surrogate7adjoint11_regression13multiply_backB4v682B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE23Literal_5bint_5d_281_29xx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!261 = distinct !{!261, !262, !"_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!262 = distinct !{!262, !"_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!263 = distinct !{!263, !264, !"_ZN17bnserve_surrogate7adjoint11_regression13multiply_backB4v683B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE23Literal_5bint_5d_281_29xx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!264 = distinct !{!264, !"_ZN17bnserve_surrogate7adjoint11_regression13multiply_backB4v683B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE23Literal_5bint_5d_281_29xx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !265 = !{!266, !263}
-!266 = distinct !{!266, !267, !"_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!267 = distinct !{!267, !"_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!266 = distinct !{!266, !267, !"_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!267 = distinct !{!267, !"_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !268 = !{!269, !271}
-!269 = distinct !{!269, !270, !"_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!270 = distinct !{!270, !"_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v685B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!271 = distinct !{!271, !272, !"_ZN17bnserve_surrogate7adjoint11_regression13multiply_backB4v692B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE23Literal_5bint_5d_280_29xx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!272 = distinct !{!272, !"_ZN17bnserve_surrogate7adjoint11_regression13multiply_backB4v692B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE23Literal_5bint_5d_280_29xx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!269 = distinct !{!269, !270, !"_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!270 = distinct !{!270, !"_ZN17bnserve_surrogate7adjoint11_regression6_eightB4v686B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!271 = distinct !{!271, !272, !"_ZN17bnserve_surrogate7adjoint11_regression13multiply_backB4v693B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE23Literal_5bint_5d_280_29xx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!272 = distinct !{!272, !"_ZN17bnserve_surrogate7adjoint11_regression13multiply_backB4v693B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE23Literal_5bint_5d_280_29xx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !273 = !{!274, !271}
-!274 = distinct !{!274, !275, !"_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!275 = distinct !{!275, !"_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v687B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!274 = distinct !{!274, !275, !"_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!275 = distinct !{!275, !"_ZN17bnserve_surrogate7adjoint11_regression4_oneB4v688B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !276 = !{!277}
-!277 = distinct !{!277, !278, !"_ZN17bnserve_surrogate7adjoint11_regression14_products_backB4v695B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!278 = distinct !{!278, !"_ZN17bnserve_surrogate7adjoint11_regression14_products_backB4v695B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!277 = distinct !{!277, !278, !"_ZN17bnserve_surrogate7adjoint11_regression14_products_backB4v696B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!278 = distinct !{!278, !"_ZN17bnserve_surrogate7adjoint11_regression14_products_backB4v696B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !279 = !{!280}
-!280 = distinct !{!280, !281, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v278B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!281 = distinct !{!281, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v278B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!280 = distinct !{!280, !281, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v279B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!281 = distinct !{!281, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v279B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !282 = !{!283}
-!283 = distinct !{!283, !284, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!284 = distinct !{!284, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
+!283 = distinct !{!283, !284, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!284 = distinct !{!284, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
 !285 = !{!286}
-!286 = distinct !{!286, !287, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v278B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!287 = distinct !{!287, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v278B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!286 = distinct !{!286, !287, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v279B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!287 = distinct !{!287, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v279B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !288 = !{!289}
-!289 = distinct !{!289, !290, !"_ZN17bnserve_surrogate7adjoint8_carrier6_belowB4v533B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!290 = distinct !{!290, !"_ZN17bnserve_surrogate7adjoint8_carrier6_belowB4v533B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!289 = distinct !{!289, !290, !"_ZN17bnserve_surrogate7adjoint8_carrier6_belowB4v534B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!290 = distinct !{!290, !"_ZN17bnserve_surrogate7adjoint8_carrier6_belowB4v534B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !291 = !{!292}
-!292 = distinct !{!292, !293, !"_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!293 = distinct !{!293, !"_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v540B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE"}
+!292 = distinct !{!292, !293, !"_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!293 = distinct !{!293, !"_ZN17bnserve_surrogate7adjoint5_sums18add_amplitude_sumsB4v541B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi3EE5ArrayIdLi1E1C7mutable7alignedE"}
 !294 = !{!295}
-!295 = distinct !{!295, !296, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v496B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!296 = distinct !{!296, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v496B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!295 = distinct !{!295, !296, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v497B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!296 = distinct !{!296, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v497B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !297 = distinct !{!297, !59}
 !298 = !{!299}
-!299 = distinct !{!299, !300, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v496B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!300 = distinct !{!300, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v496B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!299 = distinct !{!299, !300, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v497B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!300 = distinct !{!300, !"_ZN17bnserve_surrogate7adjoint5_sums5totalB4v497B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
 !301 = !{!302, !304}
-!302 = distinct !{!302, !303, !"_ZN17bnserve_surrogate7adjoint5_sums14add_phase_sumsB4v543B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!303 = distinct !{!303, !"_ZN17bnserve_surrogate7adjoint5_sums14add_phase_sumsB4v543B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!304 = distinct !{!304, !303, !"_ZN17bnserve_surrogate7adjoint5_sums14add_phase_sumsB4v543B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!302 = distinct !{!302, !303, !"_ZN17bnserve_surrogate7adjoint5_sums14add_phase_sumsB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!303 = distinct !{!303, !"_ZN17bnserve_surrogate7adjoint5_sums14add_phase_sumsB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!304 = distinct !{!304, !303, !"_ZN17bnserve_surrogate7adjoint5_sums14add_phase_sumsB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !305 = !{!306}
-!306 = distinct !{!306, !307, !"_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v545B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!307 = distinct !{!307, !"_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v545B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!306 = distinct !{!306, !307, !"_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!307 = distinct !{!307, !"_ZN17bnserve_surrogate7adjoint5_sums20add_logarithmic_sumsB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !308 = !{!309}
-!309 = distinct !{!309, !310, !"_ZN17bnserve_surrogate7adjoint7_series6gatherB4v553B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!310 = distinct !{!310, !"_ZN17bnserve_surrogate7adjoint7_series6gatherB4v553B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!309 = distinct !{!309, !310, !"_ZN17bnserve_surrogate7adjoint7_series6gatherB4v554B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!310 = distinct !{!310, !"_ZN17bnserve_surrogate7adjoint7_series6gatherB4v554B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !311 = !{!312}
-!312 = distinct !{!312, !313, !"_ZN17bnserve_surrogate7adjoint7_series10along_massB4v556B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
-!313 = distinct !{!313, !"_ZN17bnserve_surrogate7adjoint7_series10along_massB4v556B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
+!312 = distinct !{!312, !313, !"_ZN17bnserve_surrogate7adjoint7_series10along_massB4v557B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd: %retptr"}
+!313 = distinct !{!313, !"_ZN17bnserve_surrogate7adjoint7_series10along_massB4v557B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd"}
 !314 = !{!315, !317}
-!315 = distinct !{!315, !316, !"_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!316 = distinct !{!316, !"_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE"}
-!317 = distinct !{!317, !316, !"_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!315 = distinct !{!315, !316, !"_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v558B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!316 = distinct !{!316, !"_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v558B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!317 = distinct !{!317, !316, !"_ZN17bnserve_surrogate7adjoint8_carrier10_line_backB4v558B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEddd5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !318 = !{!319, !315, !317}
-!319 = distinct !{!319, !320, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v278B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!320 = distinct !{!320, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v278B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!319 = distinct !{!319, !320, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v279B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!320 = distinct !{!320, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v279B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !321 = !{!322, !324, !315, !317}
-!322 = distinct !{!322, !323, !"_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v574B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd: %retptr"}
-!323 = distinct !{!323, !"_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v574B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd"}
-!324 = distinct !{!324, !323, !"_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v574B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd: %excinfo"}
+!322 = distinct !{!322, !323, !"_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v575B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd: %retptr"}
+!323 = distinct !{!323, !"_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v575B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd"}
+!324 = distinct !{!324, !323, !"_ZN17bnserve_surrogate7adjoint7_series12add_phase_atB4v575B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEddd: %excinfo"}
 !325 = !{!326, !328}
-!326 = distinct !{!326, !327, !"_ZN17bnserve_surrogate7adjoint7_series11series_backB4v577B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!327 = distinct !{!327, !"_ZN17bnserve_surrogate7adjoint7_series11series_backB4v577B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!328 = distinct !{!328, !327, !"_ZN17bnserve_surrogate7adjoint7_series11series_backB4v577B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!326 = distinct !{!326, !327, !"_ZN17bnserve_surrogate7adjoint7_series11series_backB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!327 = distinct !{!327, !"_ZN17bnserve_surrogate7adjoint7_series11series_backB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!328 = distinct !{!328, !327, !"_ZN17bnserve_surrogate7adjoint7_series11series_backB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !329 = !{!330, !332, !326, !328}
-!330 = distinct !{!330, !331, !"_ZN17bnserve_surrogate7adjoint7_series14_legendre_backB4v580B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!331 = distinct !{!331, !"_ZN17bnserve_surrogate7adjoint7_series14_legendre_backB4v580B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
-!332 = distinct !{!332, !331, !"_ZN17bnserve_surrogate7adjoint7_series14_legendre_backB4v580B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!330 = distinct !{!330, !331, !"_ZN17bnserve_surrogate7adjoint7_series14_legendre_backB4v581B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!331 = distinct !{!331, !"_ZN17bnserve_surrogate7adjoint7_series14_legendre_backB4v581B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!332 = distinct !{!332, !331, !"_ZN17bnserve_surrogate7adjoint7_series14_legendre_backB4v581B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
 !333 = !{!334}
-!334 = distinct !{!334, !335, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!335 = distinct !{!335, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!334 = distinct !{!334, !335, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!335 = distinct !{!335, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !336 = !{!337}
-!337 = distinct !{!337, !338, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!338 = distinct !{!338, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!337 = distinct !{!337, !338, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!338 = distinct !{!338, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v254B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !339 = !{!340}
-!340 = distinct !{!340, !341, !"_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!341 = distinct !{!341, !"_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!340 = distinct !{!340, !341, !"_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!341 = distinct !{!341, !"_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !342 = !{!343, !340}
-!343 = distinct !{!343, !344, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!344 = distinct !{!344, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v252B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
+!343 = distinct !{!343, !344, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!344 = distinct !{!344, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v253B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
 !345 = !{!346}
-!346 = distinct !{!346, !347, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v239B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!347 = distinct !{!347, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v239B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!346 = distinct !{!346, !347, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v240B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!347 = distinct !{!347, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v240B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
 !348 = !{!349}
-!349 = distinct !{!349, !350, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!350 = distinct !{!350, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v242B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
+!349 = distinct !{!349, !350, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!350 = distinct !{!350, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
 !351 = !{!352, !349}
-!352 = distinct !{!352, !353, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!353 = distinct !{!353, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v243B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!352 = distinct !{!352, !353, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!353 = distinct !{!353, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
 !354 = !{!355, !349}
-!355 = distinct !{!355, !356, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!356 = distinct !{!356, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!355 = distinct !{!355, !356, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v245B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!356 = distinct !{!356, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v245B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !357 = !{!358, !349}
-!358 = distinct !{!358, !359, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!359 = distinct !{!359, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v244B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!358 = distinct !{!358, !359, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v245B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!359 = distinct !{!359, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v245B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !360 = !{!361, !349}
-!361 = distinct !{!361, !362, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v246B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!362 = distinct !{!362, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v246B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!361 = distinct !{!361, !362, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v247B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!362 = distinct !{!362, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v247B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !363 = !{!364, !349}
-!364 = distinct !{!364, !365, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v246B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!365 = distinct !{!365, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v246B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!364 = distinct !{!364, !365, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v247B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!365 = distinct !{!365, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v247B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !366 = !{!367, !349}
-!367 = distinct !{!367, !368, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v247B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!368 = distinct !{!368, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v247B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!367 = distinct !{!367, !368, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v248B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!368 = distinct !{!368, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v248B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !369 = !{!370, !349}
-!370 = distinct !{!370, !371, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v248B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!371 = distinct !{!371, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v248B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!370 = distinct !{!370, !371, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v249B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!371 = distinct !{!371, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v249B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !372 = !{!373, !349}
-!373 = distinct !{!373, !374, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v248B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!374 = distinct !{!374, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v248B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!373 = distinct !{!373, !374, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v249B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!374 = distinct !{!374, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v249B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !375 = !{!376, !378}
-!376 = distinct !{!376, !377, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!377 = distinct !{!377, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!378 = distinct !{!378, !377, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!376 = distinct !{!376, !377, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!377 = distinct !{!377, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!378 = distinct !{!378, !377, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v251B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
 !379 = !{!380}
-!380 = distinct !{!380, !381, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v249B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!381 = distinct !{!381, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v249B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!380 = distinct !{!380, !381, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!381 = distinct !{!381, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v250B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !382 = !{!"branch_weights", i32 99, i32 1}
 !383 = !{!384}
 !384 = distinct !{!384, !385, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v82B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}

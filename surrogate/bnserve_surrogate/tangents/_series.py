@@ -41,22 +41,32 @@ CONSTANT, SLOPE, FROZEN = LOGARITHMIC + 8, LOGARITHMIC + 9, LOGARITHMIC + 10
 
 
 @njit(**JIT_OPTIONS)
-def _phase(q: Any, chi_1: Any, chi_2: Any, lambdas: Any, quadrupoles: Any, out: Any) -> None:
-    """:func:`~bnserve_surrogate.baseline.phase_coefficients` at a complex place, its quadrupoles given."""
+def _phase(p: int, q: Any, chi_1: Any, chi_2: Any, lambdas: Any, quadrupoles: Any, out: Any) -> None:
+    """:func:`~bnserve_surrogate.baseline.phase_coefficients` at a complex place, its quadrupoles given: of what changes
+    with parameter p alone, or, with the mass ratio, all."""
     x_1 = q / (1.0 + q)
     x_2 = 1.0 / (1.0 + q)
     nu = x_1 * x_2
     for log_power in range(PHASE_LOG_POWERS):
         for power in range(PHASE_POWERS):
             out[log_power, power] = 0.0
-    add_point_mass_phase(nu, out)
-    add_spin_orbit_phase(x_1, chi_1, out)
-    add_spin_orbit_phase(x_2, chi_2, out)
-    add_self_spin_phase(x_1, chi_1, quadrupoles[0], out)
-    add_self_spin_phase(x_2, chi_2, quadrupoles[1], out)
-    add_spin_spin_phase(x_1, chi_1, chi_2, out)
-    add_tidal_phase(x_1, lambdas[0], out)
-    add_tidal_phase(x_2, lambdas[1], out)
+    everything = p == Column.MASS_RATIO
+    if everything:
+        add_point_mass_phase(nu, out)
+    if everything or p == Column.CHI_1:
+        add_spin_orbit_phase(x_1, chi_1, out)
+    if everything or p == Column.CHI_2:
+        add_spin_orbit_phase(x_2, chi_2, out)
+    if everything or p in (Column.CHI_1, Column.LAMBDA_1):
+        add_self_spin_phase(x_1, chi_1, quadrupoles[0], out)
+    if everything or p in (Column.CHI_2, Column.LAMBDA_2):
+        add_self_spin_phase(x_2, chi_2, quadrupoles[1], out)
+    if everything or p in (Column.CHI_1, Column.CHI_2):
+        add_spin_spin_phase(x_1, chi_1, chi_2, out)
+    if everything or p == Column.LAMBDA_1:
+        add_tidal_phase(x_1, lambdas[0], out)
+    if everything or p == Column.LAMBDA_2:
+        add_tidal_phase(x_2, lambdas[1], out)
     leading = 3.0 / (128.0 * nu)
     for log_power in range(PHASE_LOG_POWERS):
         for power in range(PHASE_POWERS):
@@ -86,7 +96,7 @@ def fill_phase_tangents(row: Floats, room: Any, out: Floats) -> None:
         other = STEP if p == Column.LAMBDA_2 else 0.0
         tides = (complex(lambda_1, one), complex(lambda_2, other))
         bulges = (complex(quadrupoles[0], one * slopes[0]), complex(quadrupoles[1], other * slopes[1]))
-        _phase(q, chi_1, chi_2, tides, bulges, room)
+        _phase(p, q, chi_1, chi_2, tides, bulges, room)
         for log_power in range(PHASE_LOG_POWERS):
             for power in range(PHASE_POWERS):
                 out[WORK * p + PHASE_POWERS * log_power + power] = room[log_power, power].imag / STEP

@@ -1,4 +1,4 @@
-; sources: 25d7331a69f8fb364aecf71962868333e2cceba738a5e2e2f8bb058bd06cec71
+; sources: 8068a1aa1637a269a063f393e8867c1ec8eda9ff66d6e2eb937f3f179450d165
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -2166,12 +2166,12 @@ entry:
   %.1222.i = alloca ptr, align 8
   %.2181.i = alloca [2 x i64], align 8
   %.2616.i = alloca ptr, align 8
-  %.568.i.i.i.i = alloca ptr, align 8
-  %.599.i.i.i.i = alloca ptr, align 8
-  %.632.i.i.i.i = alloca ptr, align 8
-  %.669.i.i.i.i = alloca ptr, align 8
-  %.737.i.i.i.i = alloca ptr, align 8
-  %.775.i.i.i.i = alloca ptr, align 8
+  %.584.i.i.i.i = alloca ptr, align 8
+  %.621.i.i.i.i = alloca ptr, align 8
+  %.700.i.i.i.i = alloca ptr, align 8
+  %.783.i.i.i.i = alloca ptr, align 8
+  %.911.i.i.i.i = alloca ptr, align 8
+  %.963.i.i.i.i = alloca ptr, align 8
   %.420.i.i = getelementptr i8, ptr %arg.state.1.4, i64 120
   %.421.i.i = load i64, ptr %.420.i.i, align 8, !noalias !64
   %.437.i.i = getelementptr double, ptr %arg.state.2.4, i64 %.421.i.i
@@ -2560,11 +2560,11 @@ for.end.i20.i.i.i:                                ; preds = %B0.endif.endif.endi
 B238.if.lr.ph.i.i.i:                              ; preds = %for.end.i20.i.i.i, %B0.endif.endif.endif.i.i.i
   %storemerge.i19.i.i.i = phi double [ %.105.i65.i.i.i, %for.end.i20.i.i.i ], [ 0.000000e+00, %B0.endif.endif.endif.i.i.i ]
   %scevgep.i.i2.i = getelementptr i8, ptr %arg.state.10.0.4, i64 1144
-  %sunkaddr177.i.i.i = getelementptr i8, ptr %arg.state.6.4, i64 24
-  %sunkaddr179.i.i.i = getelementptr i8, ptr %arg.state.6.4, i64 32
+  %sunkaddr42.i.i.i = getelementptr i8, ptr %arg.state.6.4, i64 24
+  %sunkaddr44.i.i.i = getelementptr i8, ptr %arg.state.6.4, i64 32
   %33 = getelementptr i8, ptr %arg.state.10.0.4, i64 256
   %34 = getelementptr i8, ptr %arg.state.10.0.4, i64 512
-  %.80.i1.i.i.i.i = getelementptr inbounds nuw i8, ptr %arg.state.10.0.4, i64 8
+  %.80.i1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 8
   %.222.i.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 32
   %.225.i.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 40
   %.445.i.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 48
@@ -2595,108 +2595,109 @@ B238.if.lr.ph.i.i.i:                              ; preds = %for.end.i20.i.i.i, 
   %.4478.i.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 184
   %.4963.i.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 432
   %.4966.i.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 440
-  %sunkaddr173.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 16
-  %sunkaddr175.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 24
-  %sunkaddr173.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 80
-  %sunkaddr175.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 88
+  %sunkaddr183.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 16
+  %sunkaddr185.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 24
+  %sunkaddr183.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 80
+  %sunkaddr185.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 88
   %sunkaddr.4.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 128
-  %sunkaddr171.4.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 136
+  %sunkaddr181.4.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 136
   %sunkaddr.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 192
-  %sunkaddr171.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 200
-  %sunkaddr173.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 208
-  %sunkaddr175.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 216
+  %sunkaddr181.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 200
+  %sunkaddr183.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 208
+  %sunkaddr185.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 216
   %sunkaddr.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 224
-  %sunkaddr171.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 232
-  %sunkaddr173.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 240
-  %sunkaddr175.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 248
-  %scevgep152.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 280
-  %scevgep160.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 264
-  %scevgep157.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 272
-  %scevgep158.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 312
-  %scevgep159.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 288
-  %scevgep160.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 296
-  %scevgep157.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 304
-  %scevgep159.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 320
-  %scevgep160.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 328
-  %scevgep158.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 376
-  %scevgep157.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 368
-  %scevgep158.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 472
-  %scevgep159.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 448
-  %scevgep160.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 456
-  %scevgep157.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 464
-  %scevgep158.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 504
-  %scevgep159.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 480
-  %scevgep160.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 488
-  %scevgep157.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 496
+  %sunkaddr181.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 232
+  %sunkaddr183.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 240
+  %sunkaddr185.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 248
+  %scevgep162.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 280
+  %scevgep170.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 264
+  %scevgep167.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 272
+  %scevgep168.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 312
+  %scevgep169.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 288
+  %scevgep170.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 296
+  %scevgep167.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 304
+  %scevgep169.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 320
+  %scevgep170.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 328
+  %scevgep168.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 376
+  %scevgep167.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 368
+  %scevgep168.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 472
+  %scevgep169.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 448
+  %scevgep170.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 456
+  %scevgep167.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 464
+  %scevgep168.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 504
+  %scevgep169.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 480
+  %scevgep170.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 488
+  %scevgep167.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 496
   %scevgep.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 536
-  %scevgep151.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 520
-  %scevgep148.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 528
-  %scevgep149.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 568
-  %scevgep150.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 544
-  %scevgep151.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 552
-  %scevgep148.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 560
-  %scevgep149.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 600
-  %scevgep150.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 576
-  %scevgep151.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 584
-  %scevgep148.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 592
-  %scevgep149.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 632
-  %scevgep150.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 608
-  %scevgep151.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 616
-  %scevgep148.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 624
-  %scevgep149.4.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 664
-  %scevgep148.4.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 656
-  %scevgep149.5.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 696
-  %scevgep150.5.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 672
-  %scevgep151.5.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 680
-  %scevgep148.5.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 688
-  %scevgep149.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 728
-  %scevgep150.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 704
-  %scevgep151.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 712
-  %scevgep148.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 720
-  %scevgep149.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 760
-  %scevgep150.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 736
-  %scevgep151.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 744
-  %scevgep148.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 752
+  %scevgep161.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 520
+  %scevgep158.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 528
+  %scevgep159.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 568
+  %scevgep160.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 544
+  %scevgep161.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 552
+  %scevgep158.1.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 560
+  %scevgep159.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 600
+  %scevgep160.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 576
+  %scevgep161.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 584
+  %scevgep158.2.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 592
+  %scevgep159.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 632
+  %scevgep160.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 608
+  %scevgep161.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 616
+  %scevgep158.3.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 624
+  %scevgep159.4.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 664
+  %scevgep158.4.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 656
+  %scevgep159.5.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 696
+  %scevgep160.5.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 672
+  %scevgep161.5.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 680
+  %scevgep158.5.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 688
+  %scevgep159.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 728
+  %scevgep160.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 704
+  %scevgep161.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 712
+  %scevgep158.6.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 720
+  %scevgep159.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 760
+  %scevgep160.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 736
+  %scevgep161.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 744
+  %scevgep158.7.i.i.i.i = getelementptr i8, ptr %arg.state.10.0.4, i64 752
   br label %B238.if.i.i.i
 
-B238.if.i.i.i:                                    ; preds = %B940.if.i.i.i, %B238.if.lr.ph.i.i.i
-  %excinfo.5.0.i.i.i = phi ptr [ null, %B238.if.lr.ph.i.i.i ], [ %excinfo.5.1.i.i.i, %B940.if.i.i.i ]
-  %lsr.iv.i.i.i = phi i64 [ 0, %B238.if.lr.ph.i.i.i ], [ %lsr.iv.next.i.i.i, %B940.if.i.i.i ]
+B238.if.i.i.i:                                    ; preds = %B942.if.i.i.i, %B238.if.lr.ph.i.i.i
+  %excinfo.5.0.i.i.i = phi ptr [ null, %B238.if.lr.ph.i.i.i ], [ %excinfo.5.1.i.i.i, %B942.if.i.i.i ]
+  %lsr.iv.i.i.i = phi ptr [ %scevgep.i.i2.i, %B238.if.lr.ph.i.i.i ], [ %scevgep78.i.i.i, %B942.if.i.i.i ]
+  %.326290306.i.i.i = phi i64 [ 0, %B238.if.lr.ph.i.i.i ], [ %.333.i.i.i, %B942.if.i.i.i ]
   %.390.i.i.i = load double, ptr %arg.state.6.4, align 8, !noalias !82
-  %.392.i.i.i = icmp eq i64 %lsr.iv.i.i.i, 0
+  %.392.i.i.i = icmp eq i64 %.326290306.i.i.i, 0
   %..i.i.i = select i1 %.392.i.i.i, double 1.000000e-30, double 0.000000e+00
-  %.455.i.i.i = load double, ptr %sunkaddr177.i.i.i, align 8, !noalias !82
-  %.457.i.i.i = icmp eq i64 %lsr.iv.i.i.i, 1152
+  %.455.i.i.i = load double, ptr %sunkaddr42.i.i.i, align 8, !noalias !82
+  %.457.i.i.i = icmp eq i64 %.326290306.i.i.i, 3
   %"$phi446.4.2.1.i.i.i" = select i1 %.457.i.i.i, double 1.000000e-30, double 0.000000e+00
-  %.520.i.i.i = load double, ptr %sunkaddr179.i.i.i, align 8, !noalias !82
-  %.522.i.i.i = icmp eq i64 %lsr.iv.i.i.i, 1536
+  %.520.i.i.i = load double, ptr %sunkaddr44.i.i.i, align 8, !noalias !82
+  %.522.i.i.i = icmp eq i64 %.326290306.i.i.i, 4
   %"$phi556.4.2.1.i.i.i" = select i1 %.522.i.i.i, double 1.000000e-30, double 0.000000e+00
-  %.557.i.i.i = icmp eq i64 %lsr.iv.i.i.i, 384
+  %.557.i.i.i = icmp eq i64 %.326290306.i.i.i, 1
   %"$phi620.1.2.1.i.i.i" = select i1 %.557.i.i.i, double 1.000000e-30, double 0.000000e+00
-  %.573.i.i.i = icmp eq i64 %lsr.iv.i.i.i, 768
+  %.573.i.i.i = icmp eq i64 %.326290306.i.i.i, 2
   %"$phi670.1.2.1.i.i.i" = select i1 %.573.i.i.i, double 1.000000e-30, double 0.000000e+00
   %.613.i.i.i = fmul contract double %storemerge.i.i.i.i, %"$phi620.1.2.1.i.i.i"
   %.628.i.i.i = fmul contract double %storemerge.i19.i.i.i, %"$phi670.1.2.1.i.i.i"
-  call void @llvm.lifetime.start.p0(ptr nonnull %.568.i.i.i.i), !noalias !82
-  call void @llvm.lifetime.start.p0(ptr nonnull %.599.i.i.i.i), !noalias !82
-  call void @llvm.lifetime.start.p0(ptr nonnull %.632.i.i.i.i), !noalias !82
-  call void @llvm.lifetime.start.p0(ptr nonnull %.669.i.i.i.i), !noalias !82
-  call void @llvm.lifetime.start.p0(ptr nonnull %.737.i.i.i.i), !noalias !82
-  call void @llvm.lifetime.start.p0(ptr nonnull %.775.i.i.i.i), !noalias !82
-  store ptr null, ptr %.568.i.i.i.i, align 8, !noalias !89
-  store ptr null, ptr %.599.i.i.i.i, align 8, !noalias !89
-  store ptr null, ptr %.632.i.i.i.i, align 8, !noalias !89
-  store ptr null, ptr %.669.i.i.i.i, align 8, !noalias !89
-  store ptr null, ptr %.737.i.i.i.i, align 8, !noalias !89
-  store ptr null, ptr %.775.i.i.i.i, align 8, !noalias !89
-  %.81.i.i.i.i = fadd contract double %.390.i.i.i, 1.000000e+00
-  %.45.i.i.i.i.i = tail call contract double @llvm.fabs.f64(double %.81.i.i.i.i)
+  call void @llvm.lifetime.start.p0(ptr nonnull %.584.i.i.i.i), !noalias !82
+  call void @llvm.lifetime.start.p0(ptr nonnull %.621.i.i.i.i), !noalias !82
+  call void @llvm.lifetime.start.p0(ptr nonnull %.700.i.i.i.i), !noalias !82
+  call void @llvm.lifetime.start.p0(ptr nonnull %.783.i.i.i.i), !noalias !82
+  call void @llvm.lifetime.start.p0(ptr nonnull %.911.i.i.i.i), !noalias !82
+  call void @llvm.lifetime.start.p0(ptr nonnull %.963.i.i.i.i), !noalias !82
+  store ptr null, ptr %.584.i.i.i.i, align 8, !noalias !89
+  store ptr null, ptr %.621.i.i.i.i, align 8, !noalias !89
+  store ptr null, ptr %.700.i.i.i.i, align 8, !noalias !89
+  store ptr null, ptr %.783.i.i.i.i, align 8, !noalias !89
+  store ptr null, ptr %.911.i.i.i.i, align 8, !noalias !89
+  store ptr null, ptr %.963.i.i.i.i, align 8, !noalias !89
+  %.84.i.i.i.i = fadd contract double %.390.i.i.i, 1.000000e+00
+  %.45.i.i.i.i.i = tail call contract double @llvm.fabs.f64(double %.84.i.i.i.i)
   %.56.i.i.i.i.i = fcmp ult double %.45.i.i.i.i.i, %..i.i.i
   br i1 %.56.i.i.i.i.i, label %B270.i.i.i.i.i, label %B132.i.i.i.i.i
 
 B132.i.i.i.i.i:                                   ; preds = %B238.if.i.i.i
-  %.59.i.i.i.i.i = fcmp contract oeq double %.81.i.i.i.i, 0.000000e+00
-  br i1 %.59.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i.i.i.i.i, !prof !93
+  %.59.i.i.i.i.i = fcmp contract oeq double %.84.i.i.i.i, 0.000000e+00
+  br i1 %.59.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i.i.i.i.i, !prof !93
 
 B270.i.i.i.i.i:                                   ; preds = %B238.if.i.i.i
   %.132.i.i21.i.i.i = fcmp contract ult double %..i.i.i, %.45.i.i.i.i.i
@@ -2704,14 +2705,14 @@ B270.i.i.i.i.i:                                   ; preds = %B238.if.i.i.i
 
 B282.i.i.i.i.i:                                   ; preds = %B270.i.i.i.i.i
   %.136.i.i.i.i.i = fcmp contract oeq double %..i.i.i, 0.000000e+00
-  br i1 %.136.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i.i.i.i.i, !prof !24
+  br i1 %.136.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i.i.i.i.i, !prof !24
 
 B174.endif.i.i.i.i.i:                             ; preds = %B132.i.i.i.i.i
-  %.89.i.i.i.i.i = fdiv contract double %..i.i.i, %.81.i.i.i.i
+  %.89.i.i.i.i.i = fdiv contract double %..i.i.i, %.84.i.i.i.i
   %.91.i.i.i.i.i = fmul contract double %..i.i.i, %.89.i.i.i.i.i
-  %.93.i.i.i.i.i = fadd contract double %.81.i.i.i.i, %.91.i.i.i.i.i
+  %.93.i.i.i.i.i = fadd contract double %.84.i.i.i.i, %.91.i.i.i.i.i
   %.98.i.i.i.i.i = fcmp contract oeq double %.93.i.i.i.i.i, 0.000000e+00
-  br i1 %.98.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i.i.i.i.i, !prof !24
+  br i1 %.98.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i.i.i.i.i, !prof !24
 
 B174.endif.endif.i.i.i.i.i:                       ; preds = %B174.endif.i.i.i.i.i
   %.97.i.i.i.i.i = fadd contract double %.390.i.i.i, %.91.i.i.i.i.i
@@ -2722,11 +2723,11 @@ B174.endif.endif.i.i.i.i.i:                       ; preds = %B174.endif.i.i.i.i.
   br label %B0.endif.i.i.i.i
 
 B282.endif.i.i.i.i.i:                             ; preds = %B282.i.i.i.i.i
-  %.143.i.i.i.i.i = fdiv contract double %.81.i.i.i.i, %..i.i.i
-  %.145.i.i.i.i.i = fmul contract double %.81.i.i.i.i, %.143.i.i.i.i.i
+  %.143.i.i.i.i.i = fdiv contract double %.84.i.i.i.i, %..i.i.i
+  %.145.i.i.i.i.i = fmul contract double %.84.i.i.i.i, %.143.i.i.i.i.i
   %.147.i.i.i.i.i = fadd contract double %..i.i.i, %.145.i.i.i.i.i
   %.152.i.i.i.i.i = fcmp contract oeq double %.147.i.i.i.i.i, 0.000000e+00
-  br i1 %.152.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i.i.i.i.i, !prof !24
+  br i1 %.152.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i.i.i.i.i, !prof !24
 
 B282.endif.endif.i.i.i.i.i:                       ; preds = %B282.endif.i.i.i.i.i
   %.149.i.i.i.i.i = fmul contract double %.390.i.i.i, %.143.i.i.i.i.i
@@ -2737,75 +2738,27 @@ B282.endif.endif.i.i.i.i.i:                       ; preds = %B282.endif.i.i.i.i.
   %.171.i.i.i.i.i = fdiv contract double %.163.i.i.i.i.i, %.147.i.i.i.i.i
   br label %B0.endif.i.i.i.i
 
-B0.endif.i.i.i.i:                                 ; preds = %B282.endif.endif.i.i.i.i.i, %B174.endif.endif.i.i.i.i.i, %B270.i.i.i.i.i
-  %.88.sroa.4.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i.i ], [ %.171.i.i.i.i.i, %B282.endif.endif.i.i.i.i.i ], [ %.117.i.i.i.i.i, %B174.endif.endif.i.i.i.i.i ]
-  %.88.sroa.0.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i.i ], [ %.159.i.i.i.i.i, %B282.endif.endif.i.i.i.i.i ], [ %.105.i.i.i.i.i, %B174.endif.endif.i.i.i.i.i ]
-  br i1 %.56.i.i.i.i.i, label %B270.i41.i.i.i.i, label %B132.i20.i.i.i.i
-
-B132.i20.i.i.i.i:                                 ; preds = %B0.endif.i.i.i.i
-  %.59.i21.i.i.i.i = fcmp contract oeq double %.81.i.i.i.i, 0.000000e+00
-  br i1 %.59.i21.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i22.i.i.i.i, !prof !93
-
-B270.i41.i.i.i.i:                                 ; preds = %B0.endif.i.i.i.i
-  %.132.i42.i.i.i.i = fcmp contract ult double %..i.i.i, %.45.i.i.i.i.i
-  br i1 %.132.i42.i.i.i.i, label %B0.endif.endif.i.i.i.i, label %B282.i43.i.i.i.i
-
-B282.i43.i.i.i.i:                                 ; preds = %B270.i41.i.i.i.i
-  %.136.i44.i.i.i.i = fcmp contract oeq double %..i.i.i, 0.000000e+00
-  br i1 %.136.i44.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i45.i.i.i.i, !prof !24
-
-B174.endif.i22.i.i.i.i:                           ; preds = %B132.i20.i.i.i.i
-  %.89.i23.i.i.i.i = fdiv contract double %..i.i.i, %.81.i.i.i.i
-  %.91.i24.i.i.i.i = fmul contract double %..i.i.i, %.89.i23.i.i.i.i
-  %.93.i25.i.i.i.i = fadd contract double %.81.i.i.i.i, %.91.i24.i.i.i.i
-  %.98.i26.i.i.i.i = fcmp contract oeq double %.93.i25.i.i.i.i, 0.000000e+00
-  br i1 %.98.i26.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i27.i.i.i.i, !prof !24
-
-B174.endif.endif.i27.i.i.i.i:                     ; preds = %B174.endif.i22.i.i.i.i
-  %.95.i28.i.i.i.i = fmul contract double %.89.i23.i.i.i.i, 0.000000e+00
-  %.97.i29.i.i.i.i = fadd contract double %.95.i28.i.i.i.i, 1.000000e+00
-  %.105.i30.i.i.i.i = fdiv contract double %.97.i29.i.i.i.i, %.93.i25.i.i.i.i
-  %.109.i32.i.i.i.i = fsub contract double 0.000000e+00, %.89.i23.i.i.i.i
-  %.117.i33.i.i.i.i = fdiv contract double %.109.i32.i.i.i.i, %.93.i25.i.i.i.i
-  br label %B0.endif.endif.i.i.i.i
-
-B282.endif.i45.i.i.i.i:                           ; preds = %B282.i43.i.i.i.i
-  %.143.i46.i.i.i.i = fdiv contract double %.81.i.i.i.i, %..i.i.i
-  %.145.i47.i.i.i.i = fmul contract double %.81.i.i.i.i, %.143.i46.i.i.i.i
-  %.147.i48.i.i.i.i = fadd contract double %..i.i.i, %.145.i47.i.i.i.i
-  %.152.i49.i.i.i.i = fcmp contract oeq double %.147.i48.i.i.i.i, 0.000000e+00
-  br i1 %.152.i49.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i50.i.i.i.i, !prof !24
-
-B282.endif.endif.i50.i.i.i.i:                     ; preds = %B282.endif.i45.i.i.i.i
-  %.151.i52.i.i.i.i = fadd contract double %.143.i46.i.i.i.i, 0.000000e+00
-  %.159.i53.i.i.i.i = fdiv contract double %.151.i52.i.i.i.i, %.147.i48.i.i.i.i
-  %.161.i54.i.i.i.i = fmul contract double %.143.i46.i.i.i.i, 0.000000e+00
-  %.163.i55.i.i.i.i = fadd contract double %.161.i54.i.i.i.i, -1.000000e+00
-  %.171.i56.i.i.i.i = fdiv contract double %.163.i55.i.i.i.i, %.147.i48.i.i.i.i
-  br label %B0.endif.endif.i.i.i.i
-
-B0.endif.endif.i.i.i.i:                           ; preds = %B282.endif.endif.i50.i.i.i.i, %B174.endif.endif.i27.i.i.i.i, %B270.i41.i.i.i.i
-  %.161.sroa.0.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i41.i.i.i.i ], [ %.105.i30.i.i.i.i, %B174.endif.endif.i27.i.i.i.i ], [ %.159.i53.i.i.i.i, %B282.endif.endif.i50.i.i.i.i ]
-  %.161.sroa.4.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i41.i.i.i.i ], [ %.117.i33.i.i.i.i, %B174.endif.endif.i27.i.i.i.i ], [ %.171.i56.i.i.i.i, %B282.endif.endif.i50.i.i.i.i ]
-  %.58.i60.i.i.i.i = fmul contract double %.88.sroa.0.0.i.i.i.i, %.161.sroa.4.0.i.i.i.i
-  %.64.i61.i.i.i.i = fmul contract double %.88.sroa.4.0.i.i.i.i, %.161.sroa.0.0.i.i.i.i
-  %.80.i62.i.i.i.i = fadd contract double %.64.i61.i.i.i.i, %.58.i60.i.i.i.i
-  %.46.i63.i.i.i.i = fmul contract double %.88.sroa.0.0.i.i.i.i, %.161.sroa.0.0.i.i.i.i
-  %.52.i64.i.i.i.i = fmul contract double %.88.sroa.4.0.i.i.i.i, %.161.sroa.4.0.i.i.i.i
-  %.70.i65.i.i.i.i = fsub contract double %.46.i63.i.i.i.i, %.52.i64.i.i.i.i
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(768) %arg.state.10.0.4, i8 0, i64 768, i1 false), !noalias !89
-  store double 1.000000e+00, ptr %arg.state.10.0.4, align 8, !noalias !94
-  store double 0.000000e+00, ptr %.80.i1.i.i.i.i, align 8, !noalias !94
-  %.58.i.i.i1.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0.000000e+00
-  %.64.i.i.i2.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x401871C71C71C71C
-  %.80.i.i.i3.i.i.i = fadd contract double %.58.i.i.i1.i.i.i, %.64.i.i.i2.i.i.i
-  %.46.i.i.i4.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0x401871C71C71C71C
-  %.52.i.i.i5.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0.000000e+00
-  %.70.i.i.i6.i.i.i = fsub contract double %.46.i.i.i4.i.i.i, %.52.i.i.i5.i.i.i
-  %.308.i.i.i.i.i = fadd contract double %.70.i.i.i6.i.i.i, 0x4013A7F529FD4A7F
-  %.311.i.i.i.i.i = fadd contract double %.80.i.i.i3.i.i.i, 0.000000e+00
-  store double %.308.i.i.i.i.i, ptr %.222.i.i.i.i.i, align 8, !noalias !94
-  store double %.311.i.i.i.i.i, ptr %.225.i.i.i.i.i, align 8, !noalias !94
+B188.i.i.i.i:                                     ; preds = %B0.endif.endif.i.i.i.i
+  %.79.i.i.i.i.i = load double, ptr %arg.state.10.0.4, align 8, !noalias !94
+  %.81.i.i.i.i.i = load double, ptr %.80.i1.i.i.i.i, align 8, !noalias !94
+  %.109.i2.i.i.i.i = fadd contract double %.79.i.i.i.i.i, 1.000000e+00
+  %.112.i.i.i.i.i = fadd contract double %.81.i.i.i.i.i, 0.000000e+00
+  store double %.109.i2.i.i.i.i, ptr %arg.state.10.0.4, align 8, !noalias !94
+  store double %.112.i.i.i.i.i, ptr %.80.i1.i.i.i.i, align 8, !noalias !94
+  %.224.i.i.i.i.i = load double, ptr %.222.i.i.i.i.i, align 8, !noalias !94
+  %.226.i.i.i.i.i = load double, ptr %.225.i.i.i.i.i, align 8, !noalias !94
+  %.58.i.i.i15.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0.000000e+00
+  %.64.i.i.i16.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x401871C71C71C71C
+  %.80.i.i.i17.i.i.i = fadd contract double %.58.i.i.i15.i.i.i, %.64.i.i.i16.i.i.i
+  %.46.i.i.i18.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0x401871C71C71C71C
+  %.52.i.i.i19.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0.000000e+00
+  %.70.i.i.i20.i.i.i = fsub contract double %.46.i.i.i18.i.i.i, %.52.i.i.i19.i.i.i
+  %.308.i.i.i.i.i = fadd contract double %.70.i.i.i20.i.i.i, 0x4013A7F529FD4A7F
+  %.311.i.i.i.i.i = fadd contract double %.80.i.i.i17.i.i.i, 0.000000e+00
+  %.334.i.i.i.i.i = fadd contract double %.308.i.i.i.i.i, %.224.i.i.i.i.i
+  %.337.i.i.i.i.i = fadd contract double %.311.i.i.i.i.i, %.226.i.i.i.i.i
+  store double %.334.i.i.i.i.i, ptr %.222.i.i.i.i.i, align 8, !noalias !94
+  store double %.337.i.i.i.i.i, ptr %.225.i.i.i.i.i, align 8, !noalias !94
   %.447.i.i.i.i.i = load double, ptr %.445.i.i.i.i.i, align 8, !noalias !94
   %.449.i.i.i.i.i = load double, ptr %.448.i.i.i.i.i, align 8, !noalias !94
   %.477.i.i.i.i.i = fadd contract double %.447.i.i.i.i.i, 0xC04921FB54442D18
@@ -2814,17 +2767,17 @@ B0.endif.endif.i.i.i.i:                           ; preds = %B282.endif.endif.i5
   store double %.480.i.i.i.i.i, ptr %.448.i.i.i.i.i, align 8, !noalias !94
   %.590.i.i.i.i.i = load double, ptr %.588.i.i.i.i.i, align 8, !noalias !94
   %.592.i.i.i.i.i = load double, ptr %.591.i.i.i.i.i, align 8, !noalias !94
-  %.64.i3.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x40456C71C71C71C7
-  %.80.i4.i.i.i.i.i = fadd contract double %.58.i.i.i1.i.i.i, %.64.i3.i.i.i.i.i
-  %.46.i5.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0x40456C71C71C71C7
-  %.70.i7.i.i.i.i.i = fsub contract double %.46.i5.i.i.i.i.i, %.52.i.i.i5.i.i.i
+  %.64.i3.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x40456C71C71C71C7
+  %.80.i4.i.i.i.i.i = fadd contract double %.58.i.i.i15.i.i.i, %.64.i3.i.i.i.i.i
+  %.46.i5.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0x40456C71C71C71C7
+  %.70.i7.i.i.i.i.i = fsub contract double %.46.i5.i.i.i.i.i, %.52.i.i.i19.i.i.i
   %.693.i.i.i.i.i = fadd contract double %.70.i7.i.i.i.i.i, 0x404AEDF7DF7DF7DF
   %.696.i.i.i.i.i = fadd contract double %.80.i4.i.i.i.i.i, 0.000000e+00
-  %.58.i9.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.696.i.i.i.i.i
-  %.64.i10.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.693.i.i.i.i.i
+  %.58.i9.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.696.i.i.i.i.i
+  %.64.i10.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.693.i.i.i.i.i
   %.80.i11.i.i.i.i.i = fadd contract double %.64.i10.i.i.i.i.i, %.58.i9.i.i.i.i.i
-  %.46.i12.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.693.i.i.i.i.i
-  %.52.i13.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.696.i.i.i.i.i
+  %.46.i12.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.693.i.i.i.i.i
+  %.52.i13.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.696.i.i.i.i.i
   %.70.i14.i.i.i.i.i = fsub contract double %.46.i12.i.i.i.i.i, %.52.i13.i.i.i.i.i
   %.753.i.i.i.i.i = fadd contract double %.70.i14.i.i.i.i.i, 0x403E1A683B5702A5
   %.756.i.i.i.i.i = fadd contract double %.80.i11.i.i.i.i.i, 0.000000e+00
@@ -2834,10 +2787,10 @@ B0.endif.endif.i.i.i.i:                           ; preds = %B282.endif.endif.i5
   store double %.782.i.i.i.i.i, ptr %.591.i.i.i.i.i, align 8, !noalias !94
   %.892.i.i.i.i.i = load double, ptr %.890.i.i.i.i.i, align 8, !noalias !94
   %.894.i.i.i.i.i = load double, ptr %.893.i.i.i.i.i, align 8, !noalias !94
-  %.64.i17.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x40510457810E2933
-  %35 = fsub contract double %.58.i.i.i1.i.i.i, %.64.i17.i.i.i.i.i
-  %.46.i19.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0xC0510457810E2933
-  %.70.i21.i.i.i.i.i = fsub contract double %.46.i19.i.i.i.i.i, %.52.i.i.i5.i.i.i
+  %.64.i17.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x40510457810E2933
+  %35 = fsub contract double %.58.i.i.i15.i.i.i, %.64.i17.i.i.i.i.i
+  %.46.i19.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0xC0510457810E2933
+  %.70.i21.i.i.i.i.i = fsub contract double %.46.i19.i.i.i.i.i, %.52.i.i.i19.i.i.i
   %.974.i.i.i.i.i = fadd contract double %.70.i21.i.i.i.i.i, 0x407E1C5F0E074C89
   %.977.i.i.i.i.i = fadd contract double %35, 0.000000e+00
   %.1000.i.i.i.i.i = fadd contract double %.974.i.i.i.i.i, %.892.i.i.i.i.i
@@ -2846,25 +2799,25 @@ B0.endif.endif.i.i.i.i:                           ; preds = %B282.endif.endif.i5
   store double %.1003.i.i.i.i.i, ptr %.893.i.i.i.i.i, align 8, !noalias !94
   %.1113.i.i.i.i.i = load double, ptr %.1111.i.i.i.i.i, align 8, !noalias !94
   %.1115.i.i.i.i.i = load double, ptr %.1114.i.i.i.i.i, align 8, !noalias !94
-  %.64.i24.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x4058A8587E6B74F0
-  %36 = fsub contract double %.58.i.i.i1.i.i.i, %.64.i24.i.i.i.i.i
-  %.46.i26.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0xC058A8587E6B74F0
-  %.70.i28.i.i.i.i.i = fsub contract double %.46.i26.i.i.i.i.i, %.52.i.i.i5.i.i.i
+  %.64.i24.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x4058A8587E6B74F0
+  %36 = fsub contract double %.58.i.i.i15.i.i.i, %.64.i24.i.i.i.i.i
+  %.46.i26.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0xC058A8587E6B74F0
+  %.70.i28.i.i.i.i.i = fsub contract double %.46.i26.i.i.i.i.i, %.52.i.i.i19.i.i.i
   %.1245.i.i.i.i.i = fadd contract double %.70.i28.i.i.i.i.i, 0x404601B425ED097B
   %.1248.i.i.i.i.i = fadd contract double %36, 0.000000e+00
-  %.58.i30.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.1248.i.i.i.i.i
-  %.64.i31.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.1245.i.i.i.i.i
+  %.58.i30.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.1248.i.i.i.i.i
+  %.64.i31.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.1245.i.i.i.i.i
   %.80.i32.i.i.i.i.i = fadd contract double %.64.i31.i.i.i.i.i, %.58.i30.i.i.i.i.i
-  %.46.i33.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.1245.i.i.i.i.i
-  %.52.i34.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.1248.i.i.i.i.i
+  %.46.i33.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.1245.i.i.i.i.i
+  %.52.i34.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.1248.i.i.i.i.i
   %.70.i35.i.i.i.i.i = fsub contract double %.46.i33.i.i.i.i.i, %.52.i34.i.i.i.i.i
   %.1305.i.i.i.i.i = fadd contract double %.70.i35.i.i.i.i.i, 0xC0A9D8A41ED3317E
   %.1308.i.i.i.i.i = fadd contract double %.80.i32.i.i.i.i.i, 0.000000e+00
-  %.58.i37.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.1308.i.i.i.i.i
-  %.64.i38.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.1305.i.i.i.i.i
+  %.58.i37.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.1308.i.i.i.i.i
+  %.64.i38.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.1305.i.i.i.i.i
   %.80.i39.i.i.i.i.i = fadd contract double %.64.i38.i.i.i.i.i, %.58.i37.i.i.i.i.i
-  %.46.i40.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.1305.i.i.i.i.i
-  %.52.i41.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.1308.i.i.i.i.i
+  %.46.i40.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.1305.i.i.i.i.i
+  %.52.i41.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.1308.i.i.i.i.i
   %.70.i42.i.i.i.i.i = fsub contract double %.46.i40.i.i.i.i.i, %.52.i41.i.i.i.i.i
   %.1365.i.i.i.i.i = fadd contract double %.70.i42.i.i.i.i.i, 0xC071640B49E85C3E
   %.1368.i.i.i.i.i = fadd contract double %.80.i39.i.i.i.i.i, 0.000000e+00
@@ -2880,17 +2833,17 @@ B0.endif.endif.i.i.i.i:                           ; preds = %B282.endif.endif.i5
   store double %.1537.i.i.i.i.i, ptr %.1505.i.i.i.i.i, align 8, !noalias !94
   %.1647.i.i.i.i.i = load double, ptr %.1645.i.i.i.i.i, align 8, !noalias !94
   %.1649.i.i.i.i.i = load double, ptr %.1648.i.i.i.i.i, align 8, !noalias !94
-  %.64.i45.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x40733B288412FE12
-  %37 = fsub contract double %.58.i.i.i1.i.i.i, %.64.i45.i.i.i.i.i
-  %.46.i47.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0xC0733B288412FE12
-  %.70.i49.i.i.i.i.i = fsub contract double %.46.i47.i.i.i.i.i, %.52.i.i.i5.i.i.i
+  %.64.i45.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x40733B288412FE12
+  %37 = fsub contract double %.58.i.i.i15.i.i.i, %.64.i45.i.i.i.i.i
+  %.46.i47.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0xC0733B288412FE12
+  %.70.i49.i.i.i.i.i = fsub contract double %.46.i47.i.i.i.i.i, %.52.i.i.i19.i.i.i
   %.1750.i.i.i.i.i = fadd contract double %.70.i49.i.i.i.i.i, 0x408893BEE8443B83
   %.1753.i.i.i.i.i = fadd contract double %37, 0.000000e+00
-  %.58.i51.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.1753.i.i.i.i.i
-  %.64.i52.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.1750.i.i.i.i.i
+  %.58.i51.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.1753.i.i.i.i.i
+  %.64.i52.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.1750.i.i.i.i.i
   %.80.i53.i.i.i.i.i = fadd contract double %.64.i52.i.i.i.i.i, %.58.i51.i.i.i.i.i
-  %.46.i54.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.1750.i.i.i.i.i
-  %.52.i55.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.1753.i.i.i.i.i
+  %.46.i54.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.1750.i.i.i.i.i
+  %.52.i55.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.1753.i.i.i.i.i
   %.70.i56.i.i.i.i.i = fsub contract double %.46.i54.i.i.i.i.i, %.52.i55.i.i.i.i.i
   %.1810.i.i.i.i.i = fadd contract double %.70.i56.i.i.i.i.i, 0x408DCC10DD757C0B
   %.1813.i.i.i.i.i = fadd contract double %.80.i53.i.i.i.i.i, 0.000000e+00
@@ -2900,33 +2853,33 @@ B0.endif.endif.i.i.i.i:                           ; preds = %B282.endif.endif.i5
   store double %.1839.i.i.i.i.i, ptr %.1648.i.i.i.i.i, align 8, !noalias !94
   %.1949.i.i.i.i.i = load double, ptr %.1947.i.i.i.i.i, align 8, !noalias !94
   %.1951.i.i.i.i.i = load double, ptr %.1950.i.i.i.i.i, align 8, !noalias !94
-  %.64.i59.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x40514C5F3B7242FB
-  %.80.i60.i.i.i.i.i = fadd contract double %.58.i.i.i1.i.i.i, %.64.i59.i.i.i.i.i
-  %.46.i61.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0x40514C5F3B7242FB
-  %.70.i63.i.i.i.i.i = fsub contract double %.46.i61.i.i.i.i.i, %.52.i.i.i5.i.i.i
+  %.64.i59.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x40514C5F3B7242FB
+  %.80.i60.i.i.i.i.i = fadd contract double %.58.i.i.i15.i.i.i, %.64.i59.i.i.i.i.i
+  %.46.i61.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0x40514C5F3B7242FB
+  %.70.i63.i.i.i.i.i = fsub contract double %.46.i61.i.i.i.i.i, %.52.i.i.i19.i.i.i
   %.2118.i.i.i.i.i = fadd contract double %.70.i63.i.i.i.i.i, 0xC05D2FBB067D39F9
   %.2121.i.i.i.i.i = fadd contract double %.80.i60.i.i.i.i.i, 0.000000e+00
-  %.58.i65.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.2121.i.i.i.i.i
-  %.64.i66.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.2118.i.i.i.i.i
+  %.58.i65.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.2121.i.i.i.i.i
+  %.64.i66.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.2118.i.i.i.i.i
   %.80.i67.i.i.i.i.i = fadd contract double %.64.i66.i.i.i.i.i, %.58.i65.i.i.i.i.i
-  %.46.i68.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.2118.i.i.i.i.i
-  %.52.i69.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.2121.i.i.i.i.i
+  %.46.i68.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.2118.i.i.i.i.i
+  %.52.i69.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.2121.i.i.i.i.i
   %.70.i70.i.i.i.i.i = fsub contract double %.46.i68.i.i.i.i.i, %.52.i69.i.i.i.i.i
   %.2178.i.i.i.i.i = fadd contract double %.70.i70.i.i.i.i.i, 0xC091A4640F04B974
   %.2181.i.i.i.i.i = fadd contract double %.80.i67.i.i.i.i.i, 0.000000e+00
-  %.58.i72.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.2181.i.i.i.i.i
-  %.64.i73.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.2178.i.i.i.i.i
+  %.58.i72.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.2181.i.i.i.i.i
+  %.64.i73.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.2178.i.i.i.i.i
   %.80.i74.i.i.i.i.i = fadd contract double %.64.i73.i.i.i.i.i, %.58.i72.i.i.i.i.i
-  %.46.i75.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.2178.i.i.i.i.i
-  %.52.i76.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.2181.i.i.i.i.i
+  %.46.i75.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.2178.i.i.i.i.i
+  %.52.i76.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.2181.i.i.i.i.i
   %.70.i77.i.i.i.i.i = fsub contract double %.46.i75.i.i.i.i.i, %.52.i76.i.i.i.i.i
   %.2238.i.i.i.i.i = fadd contract double %.70.i77.i.i.i.i.i, 0x40CE3F8117DB38CA
   %.2241.i.i.i.i.i = fadd contract double %.80.i74.i.i.i.i.i, 0.000000e+00
-  %.58.i79.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.2241.i.i.i.i.i
-  %.64.i80.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.2238.i.i.i.i.i
+  %.58.i79.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.2241.i.i.i.i.i
+  %.64.i80.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.2238.i.i.i.i.i
   %.80.i81.i.i.i.i.i = fadd contract double %.64.i80.i.i.i.i.i, %.58.i79.i.i.i.i.i
-  %.46.i82.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.2238.i.i.i.i.i
-  %.52.i83.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.2241.i.i.i.i.i
+  %.46.i82.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.2238.i.i.i.i.i
+  %.52.i83.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.2241.i.i.i.i.i
   %.70.i84.i.i.i.i.i = fsub contract double %.46.i82.i.i.i.i.i, %.52.i83.i.i.i.i.i
   %.2298.i.i.i.i.i = fadd contract double %.70.i84.i.i.i.i.i, 0xC0A8D75E6BF57F9D
   %.2301.i.i.i.i.i = fadd contract double %.80.i81.i.i.i.i.i, 0.000000e+00
@@ -2936,10 +2889,10 @@ B0.endif.endif.i.i.i.i:                           ; preds = %B282.endif.endif.i5
   store double %.2327.i.i.i.i.i, ptr %.1950.i.i.i.i.i, align 8, !noalias !94
   %.2437.i.i.i.i.i = load double, ptr %.2435.i.i.i.i.i, align 8, !noalias !94
   %.2439.i.i.i.i.i = load double, ptr %.2438.i.i.i.i.i, align 8, !noalias !94
-  %.64.i87.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x409F6EC11CD4D97E
-  %.80.i88.i.i.i.i.i = fadd contract double %.58.i.i.i1.i.i.i, %.64.i87.i.i.i.i.i
-  %.46.i89.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0x409F6EC11CD4D97E
-  %.70.i91.i.i.i.i.i = fsub contract double %.46.i89.i.i.i.i.i, %.52.i.i.i5.i.i.i
+  %.64.i87.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x409F6EC11CD4D97E
+  %.80.i88.i.i.i.i.i = fadd contract double %.58.i.i.i15.i.i.i, %.64.i87.i.i.i.i.i
+  %.46.i89.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0x409F6EC11CD4D97E
+  %.70.i91.i.i.i.i.i = fsub contract double %.46.i89.i.i.i.i.i, %.52.i.i.i19.i.i.i
   %.2519.i.i.i.i.i = fadd contract double %.70.i91.i.i.i.i.i, 0x4072428A28A28A29
   %.2522.i.i.i.i.i = fadd contract double %.80.i88.i.i.i.i.i, 0.000000e+00
   %.2545.i.i.i.i.i = fadd contract double %.2519.i.i.i.i.i, %.2437.i.i.i.i.i
@@ -2948,25 +2901,25 @@ B0.endif.endif.i.i.i.i:                           ; preds = %B282.endif.endif.i5
   store double %.2548.i.i.i.i.i, ptr %.2438.i.i.i.i.i, align 8, !noalias !94
   %.2658.i.i.i.i.i = load double, ptr %.2656.i.i.i.i.i, align 8, !noalias !94
   %.2660.i.i.i.i.i = load double, ptr %.2659.i.i.i.i.i, align 8, !noalias !94
-  %.64.i94.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x40645019F9E83A77
-  %.80.i95.i.i.i.i.i = fadd contract double %.58.i.i.i1.i.i.i, %.64.i94.i.i.i.i.i
-  %.46.i96.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0x40645019F9E83A77
-  %.70.i98.i.i.i.i.i = fsub contract double %.46.i96.i.i.i.i.i, %.52.i.i.i5.i.i.i
+  %.64.i94.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x40645019F9E83A77
+  %.80.i95.i.i.i.i.i = fadd contract double %.58.i.i.i15.i.i.i, %.64.i94.i.i.i.i.i
+  %.46.i96.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0x40645019F9E83A77
+  %.70.i98.i.i.i.i.i = fsub contract double %.46.i96.i.i.i.i.i, %.52.i.i.i19.i.i.i
   %.2790.i.i.i.i.i = fadd contract double %.70.i98.i.i.i.i.i, 0x40918164C0B5D6FD
   %.2793.i.i.i.i.i = fadd contract double %.80.i95.i.i.i.i.i, 0.000000e+00
-  %.58.i100.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.2793.i.i.i.i.i
-  %.64.i101.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.2790.i.i.i.i.i
+  %.58.i100.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.2793.i.i.i.i.i
+  %.64.i101.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.2790.i.i.i.i.i
   %.80.i102.i.i.i.i.i = fadd contract double %.64.i101.i.i.i.i.i, %.58.i100.i.i.i.i.i
-  %.46.i103.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.2790.i.i.i.i.i
-  %.52.i104.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.2793.i.i.i.i.i
+  %.46.i103.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.2790.i.i.i.i.i
+  %.52.i104.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.2793.i.i.i.i.i
   %.70.i105.i.i.i.i.i = fsub contract double %.46.i103.i.i.i.i.i, %.52.i104.i.i.i.i.i
   %.2850.i.i.i.i.i = fadd contract double %.70.i105.i.i.i.i.i, 0xC0D6C519D7F78519
   %.2853.i.i.i.i.i = fadd contract double %.80.i102.i.i.i.i.i, 0.000000e+00
-  %.58.i107.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.2853.i.i.i.i.i
-  %.64.i108.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.2850.i.i.i.i.i
+  %.58.i107.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.2853.i.i.i.i.i
+  %.64.i108.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.2850.i.i.i.i.i
   %.80.i109.i.i.i.i.i = fadd contract double %.64.i108.i.i.i.i.i, %.58.i107.i.i.i.i.i
-  %.46.i110.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.2850.i.i.i.i.i
-  %.52.i111.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.2853.i.i.i.i.i
+  %.46.i110.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.2850.i.i.i.i.i
+  %.52.i111.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.2853.i.i.i.i.i
   %.70.i112.i.i.i.i.i = fsub contract double %.46.i110.i.i.i.i.i, %.52.i111.i.i.i.i.i
   %.2910.i.i.i.i.i = fadd contract double %.70.i112.i.i.i.i.i, 0x40BB4B9C657BC796
   %.2913.i.i.i.i.i = fadd contract double %.80.i109.i.i.i.i.i, 0.000000e+00
@@ -2980,58 +2933,58 @@ B0.endif.endif.i.i.i.i:                           ; preds = %B282.endif.endif.i5
   %.3082.i.i.i.i.i = fadd contract double %.3051.i.i.i.i.i, 0.000000e+00
   store double %.3079.i.i.i.i.i, ptr %.3047.i.i.i.i.i, align 8, !noalias !94
   store double %.3082.i.i.i.i.i, ptr %.3050.i.i.i.i.i, align 8, !noalias !94
-  %.64.i115.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x40A619E547AE6DA3
-  %.80.i116.i.i.i.i.i = fadd contract double %.58.i.i.i1.i.i.i, %.64.i115.i.i.i.i.i
-  %.46.i117.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0x40A619E547AE6DA3
-  %.70.i119.i.i.i.i.i = fsub contract double %.46.i117.i.i.i.i.i, %.52.i.i.i5.i.i.i
+  %.64.i115.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x40A619E547AE6DA3
+  %.80.i116.i.i.i.i.i = fadd contract double %.58.i.i.i15.i.i.i, %.64.i115.i.i.i.i.i
+  %.46.i117.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0x40A619E547AE6DA3
+  %.70.i119.i.i.i.i.i = fsub contract double %.46.i117.i.i.i.i.i, %.52.i.i.i19.i.i.i
   %.3316.i.i.i.i.i = fadd contract double %.70.i119.i.i.i.i.i, 0xC0D25E7665446D0F
   %.3319.i.i.i.i.i = fadd contract double %.80.i116.i.i.i.i.i, 0.000000e+00
-  %.58.i121.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.3319.i.i.i.i.i
-  %.64.i122.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.3316.i.i.i.i.i
+  %.58.i121.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.3319.i.i.i.i.i
+  %.64.i122.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.3316.i.i.i.i.i
   %.80.i123.i.i.i.i.i = fadd contract double %.64.i122.i.i.i.i.i, %.58.i121.i.i.i.i.i
-  %.46.i124.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.3316.i.i.i.i.i
-  %.52.i125.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.3319.i.i.i.i.i
+  %.46.i124.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.3316.i.i.i.i.i
+  %.52.i125.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.3319.i.i.i.i.i
   %.70.i126.i.i.i.i.i = fsub contract double %.46.i124.i.i.i.i.i, %.52.i125.i.i.i.i.i
   %.3376.i.i.i.i.i = fadd contract double %.70.i126.i.i.i.i.i, 0x40E19BDA5330D73F
   %.3379.i.i.i.i.i = fadd contract double %.80.i123.i.i.i.i.i, 0.000000e+00
-  %.58.i128.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.3379.i.i.i.i.i
-  %.64.i129.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.3376.i.i.i.i.i
+  %.58.i128.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.3379.i.i.i.i.i
+  %.64.i129.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.3376.i.i.i.i.i
   %.80.i130.i.i.i.i.i = fadd contract double %.64.i129.i.i.i.i.i, %.58.i128.i.i.i.i.i
-  %.46.i131.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.3376.i.i.i.i.i
-  %.52.i132.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.3379.i.i.i.i.i
+  %.46.i131.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.3376.i.i.i.i.i
+  %.52.i132.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.3379.i.i.i.i.i
   %.70.i133.i.i.i.i.i = fsub contract double %.46.i131.i.i.i.i.i, %.52.i132.i.i.i.i.i
   %.3436.i.i.i.i.i = fadd contract double %.70.i133.i.i.i.i.i, 0xC0E154650FD9ACF1
   %.3439.i.i.i.i.i = fadd contract double %.80.i130.i.i.i.i.i, 0.000000e+00
   %.3496.i.i.i.i.i = load double, ptr %.3494.i.i.i.i.i, align 8, !noalias !94
   %.3498.i.i.i.i.i = load double, ptr %.3497.i.i.i.i.i, align 8, !noalias !94
-  %.58.i135.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.3439.i.i.i.i.i
-  %.64.i136.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.3436.i.i.i.i.i
+  %.58.i135.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.3439.i.i.i.i.i
+  %.64.i136.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.3436.i.i.i.i.i
   %.80.i137.i.i.i.i.i = fadd contract double %.64.i136.i.i.i.i.i, %.58.i135.i.i.i.i.i
-  %.46.i138.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.3436.i.i.i.i.i
-  %.52.i139.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.3439.i.i.i.i.i
+  %.46.i138.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.3436.i.i.i.i.i
+  %.52.i139.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.3439.i.i.i.i.i
   %.70.i140.i.i.i.i.i = fsub contract double %.46.i138.i.i.i.i.i, %.52.i139.i.i.i.i.i
   %.3639.i.i.i.i.i = fadd contract double %.70.i140.i.i.i.i.i, 0xC0F5A16228D9F21A
   %.3642.i.i.i.i.i = fadd contract double %.80.i137.i.i.i.i.i, 0.000000e+00
-  %.58.i142.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.3642.i.i.i.i.i
-  %.64.i143.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.3639.i.i.i.i.i
+  %.58.i142.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.3642.i.i.i.i.i
+  %.64.i143.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.3639.i.i.i.i.i
   %.80.i144.i.i.i.i.i = fadd contract double %.64.i143.i.i.i.i.i, %.58.i142.i.i.i.i.i
-  %.46.i145.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.3639.i.i.i.i.i
-  %.52.i146.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.3642.i.i.i.i.i
+  %.46.i145.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.3639.i.i.i.i.i
+  %.52.i146.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.3642.i.i.i.i.i
   %.70.i147.i.i.i.i.i = fsub contract double %.46.i145.i.i.i.i.i, %.52.i146.i.i.i.i.i
   %.3699.i.i.i.i.i = fadd contract double %.70.i147.i.i.i.i.i, 0x40ECE30547C08F3B
   %.3702.i.i.i.i.i = fadd contract double %.80.i144.i.i.i.i.i, 0.000000e+00
-  %.58.i149.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.3702.i.i.i.i.i
-  %.64.i150.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.3699.i.i.i.i.i
+  %.58.i149.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.3702.i.i.i.i.i
+  %.64.i150.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.3699.i.i.i.i.i
   %.80.i151.i.i.i.i.i = fadd contract double %.64.i150.i.i.i.i.i, %.58.i149.i.i.i.i.i
-  %.46.i152.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.3699.i.i.i.i.i
-  %.52.i153.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.3702.i.i.i.i.i
+  %.46.i152.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.3699.i.i.i.i.i
+  %.52.i153.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.3702.i.i.i.i.i
   %.70.i154.i.i.i.i.i = fsub contract double %.46.i152.i.i.i.i.i, %.52.i153.i.i.i.i.i
-  %.58.i156.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 3.000000e+00
-  %.80.i158.i.i.i.i.i = fadd contract double %.58.i.i.i1.i.i.i, %.58.i156.i.i.i.i.i
-  %.46.i159.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 3.000000e+00
+  %.58.i156.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 3.000000e+00
+  %.80.i158.i.i.i.i.i = fadd contract double %.58.i.i.i15.i.i.i, %.58.i156.i.i.i.i.i
+  %.46.i159.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 3.000000e+00
   %.3762.i.i.i.i.i = fadd contract double %.80.i151.i.i.i.i.i, 0.000000e+00
   %.3759.i.i.i.i.i = fadd contract double %.70.i154.i.i.i.i.i, 0xC0C172813AB99F84
-  %38 = fsub contract double %.52.i.i.i5.i.i.i, %.46.i159.i.i.i.i.i
+  %38 = fsub contract double %.52.i.i.i19.i.i.i, %.46.i159.i.i.i.i.i
   %.3827.i.i.i.i.i = fadd contract double %38, 1.000000e+00
   %.3830.i.i.i.i.i = fsub contract double 0.000000e+00, %.80.i158.i.i.i.i.i
   %.45.i.i.i.i.i.i = tail call contract double @llvm.fabs.f64(double %.3827.i.i.i.i.i)
@@ -3039,24 +2992,24 @@ B0.endif.endif.i.i.i.i:                           ; preds = %B282.endif.endif.i5
   %.56.i.i.i.i.i.i = fcmp ult double %.45.i.i.i.i.i.i, %.50.i.i.i.i.i.i
   br i1 %.56.i.i.i.i.i.i, label %B270.i.i.i.i.i.i, label %B132.i.i.i.i.i.i
 
-B132.i.i.i.i.i.i:                                 ; preds = %B0.endif.endif.i.i.i.i
+B132.i.i.i.i.i.i:                                 ; preds = %B188.i.i.i.i
   %.59.i.i.i.i.i.i = fcmp contract oeq double %.3827.i.i.i.i.i, 0.000000e+00
-  br i1 %.59.i.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i.i.i.i.i.i, !prof !93
+  br i1 %.59.i.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i.i.i.i.i.i, !prof !93
 
-B270.i.i.i.i.i.i:                                 ; preds = %B0.endif.endif.i.i.i.i
+B270.i.i.i.i.i.i:                                 ; preds = %B188.i.i.i.i
   %.132.i.i.i.i.i.i = fcmp contract ult double %.50.i.i.i.i.i.i, %.45.i.i.i.i.i.i
   br i1 %.132.i.i.i.i.i.i, label %B0.endif.endif.endif.endi...endif.4.endif.endif.endif.i.i.i.i.i, label %B282.i.i.i.i.i.i
 
 B282.i.i.i.i.i.i:                                 ; preds = %B270.i.i.i.i.i.i
   %.136.i.i.i.i.i.i = fcmp contract oeq double %.3830.i.i.i.i.i, 0.000000e+00
-  br i1 %.136.i.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i.i.i.i.i.i, !prof !24
+  br i1 %.136.i.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i.i.i.i.i.i, !prof !24
 
 B174.endif.i.i.i.i.i.i:                           ; preds = %B132.i.i.i.i.i.i
   %.89.i.i.i.i.i.i = fdiv contract double %.3830.i.i.i.i.i, %.3827.i.i.i.i.i
   %.91.i.i.i.i.i.i = fmul contract double %.3830.i.i.i.i.i, %.89.i.i.i.i.i.i
   %.93.i.i.i.i.i.i = fadd contract double %.3827.i.i.i.i.i, %.91.i.i.i.i.i.i
   %.98.i.i.i.i.i.i = fcmp contract oeq double %.93.i.i.i.i.i.i, 0.000000e+00
-  br i1 %.98.i.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i.i.i.i.i.i, !prof !24
+  br i1 %.98.i.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i.i.i.i.i.i, !prof !24
 
 B174.endif.endif.i.i.i.i.i.i:                     ; preds = %B174.endif.i.i.i.i.i.i
   %.95.i.i.i.i.i.i = fmul contract double %.89.i.i.i.i.i.i, %.3762.i.i.i.i.i
@@ -3072,7 +3025,7 @@ B282.endif.i.i.i.i.i.i:                           ; preds = %B282.i.i.i.i.i.i
   %.145.i.i.i.i.i.i = fmul contract double %.3827.i.i.i.i.i, %.143.i.i.i.i.i.i
   %.147.i.i.i.i.i.i = fadd contract double %.3830.i.i.i.i.i, %.145.i.i.i.i.i.i
   %.152.i.i.i.i.i.i = fcmp contract oeq double %.147.i.i.i.i.i.i, 0.000000e+00
-  br i1 %.152.i.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i.i.i.i.i.i, !prof !24
+  br i1 %.152.i.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i.i.i.i.i.i, !prof !24
 
 B282.endif.endif.i.i.i.i.i.i:                     ; preds = %B282.endif.i.i.i.i.i.i
   %.149.i.i.i.i.i.i = fmul contract double %.143.i.i.i.i.i.i, %.3759.i.i.i.i.i
@@ -3090,25 +3043,25 @@ B0.endif.endif.endif.endi...endif.4.endif.endif.endif.i.i.i.i.i: ; preds = %B282
   %.3882.i.i.i.i.i = fadd contract double %.3498.i.i.i.i.i, %.3834.sroa.4.0.i.i.i.i.i
   store double %.3879.i.i.i.i.i, ptr %.3494.i.i.i.i.i, align 8, !noalias !94
   store double %.3882.i.i.i.i.i, ptr %.3497.i.i.i.i.i, align 8, !noalias !94
-  %.64.i164.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x40C0712C540DB5CD
-  %.80.i165.i.i.i.i.i = fadd contract double %.58.i.i.i1.i.i.i, %.64.i164.i.i.i.i.i
-  %.46.i166.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0x40C0712C540DB5CD
-  %.70.i168.i.i.i.i.i = fsub contract double %.46.i166.i.i.i.i.i, %.52.i.i.i5.i.i.i
+  %.64.i164.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x40C0712C540DB5CD
+  %.80.i165.i.i.i.i.i = fadd contract double %.58.i.i.i15.i.i.i, %.64.i164.i.i.i.i.i
+  %.46.i166.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0x40C0712C540DB5CD
+  %.70.i168.i.i.i.i.i = fsub contract double %.46.i166.i.i.i.i.i, %.52.i.i.i19.i.i.i
   %.4068.i.i.i.i.i = fadd contract double %.70.i168.i.i.i.i.i, 0x40A79A477BF30A91
   %.4071.i.i.i.i.i = fadd contract double %.80.i165.i.i.i.i.i, 0.000000e+00
-  %.58.i170.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.4071.i.i.i.i.i
-  %.64.i171.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.4068.i.i.i.i.i
+  %.58.i170.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.4071.i.i.i.i.i
+  %.64.i171.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.4068.i.i.i.i.i
   %.80.i172.i.i.i.i.i = fadd contract double %.64.i171.i.i.i.i.i, %.58.i170.i.i.i.i.i
-  %.46.i173.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.4068.i.i.i.i.i
-  %.52.i174.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.4071.i.i.i.i.i
+  %.46.i173.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.4068.i.i.i.i.i
+  %.52.i174.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.4071.i.i.i.i.i
   %.70.i175.i.i.i.i.i = fsub contract double %.46.i173.i.i.i.i.i, %.52.i174.i.i.i.i.i
   %.4128.i.i.i.i.i = fadd contract double %.70.i175.i.i.i.i.i, 0xC0A4B055B758E414
   %.4131.i.i.i.i.i = fadd contract double %.80.i172.i.i.i.i.i, 0.000000e+00
-  %.58.i177.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.4131.i.i.i.i.i
-  %.64.i178.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.4128.i.i.i.i.i
+  %.58.i177.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.4131.i.i.i.i.i
+  %.64.i178.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.4128.i.i.i.i.i
   %.80.i179.i.i.i.i.i = fadd contract double %.64.i178.i.i.i.i.i, %.58.i177.i.i.i.i.i
-  %.46.i180.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.4128.i.i.i.i.i
-  %.52.i181.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.4131.i.i.i.i.i
+  %.46.i180.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.4128.i.i.i.i.i
+  %.52.i181.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.4131.i.i.i.i.i
   %.70.i182.i.i.i.i.i = fsub contract double %.46.i180.i.i.i.i.i, %.52.i181.i.i.i.i.i
   %.4248.i.i.i.i.i = load double, ptr %.4246.i.i.i.i.i, align 8, !noalias !94
   %.4250.i.i.i.i.i = load double, ptr %.4249.i.i.i.i.i, align 8, !noalias !94
@@ -3118,7 +3071,7 @@ B0.endif.endif.endif.endi...endif.4.endif.endif.endif.i.i.i.i.i: ; preds = %B282
 
 B132.i194.i.i.i.i.i:                              ; preds = %B0.endif.endif.endif.endi...endif.4.endif.endif.endif.i.i.i.i.i
   %.59.i195.i.i.i.i.i = fcmp contract oeq double %.3827.i.i.i.i.i, 0.000000e+00
-  br i1 %.59.i195.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i196.i.i.i.i.i, !prof !93
+  br i1 %.59.i195.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i196.i.i.i.i.i, !prof !93
 
 B270.i215.i.i.i.i.i:                              ; preds = %B0.endif.endif.endif.endi...endif.4.endif.endif.endif.i.i.i.i.i
   %.132.i216.i.i.i.i.i = fcmp contract ult double %.50.i.i.i.i.i.i, %.45.i.i.i.i.i.i
@@ -3126,14 +3079,14 @@ B270.i215.i.i.i.i.i:                              ; preds = %B0.endif.endif.endi
 
 B282.i217.i.i.i.i.i:                              ; preds = %B270.i215.i.i.i.i.i
   %.136.i218.i.i.i.i.i = fcmp contract oeq double %.3830.i.i.i.i.i, 0.000000e+00
-  br i1 %.136.i218.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i219.i.i.i.i.i, !prof !24
+  br i1 %.136.i218.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i219.i.i.i.i.i, !prof !24
 
 B174.endif.i196.i.i.i.i.i:                        ; preds = %B132.i194.i.i.i.i.i
   %.89.i197.i.i.i.i.i = fdiv contract double %.3830.i.i.i.i.i, %.3827.i.i.i.i.i
   %.91.i198.i.i.i.i.i = fmul contract double %.3830.i.i.i.i.i, %.89.i197.i.i.i.i.i
   %.93.i199.i.i.i.i.i = fadd contract double %.3827.i.i.i.i.i, %.91.i198.i.i.i.i.i
   %.98.i200.i.i.i.i.i = fcmp contract oeq double %.93.i199.i.i.i.i.i, 0.000000e+00
-  br i1 %.98.i200.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i201.i.i.i.i.i, !prof !24
+  br i1 %.98.i200.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i201.i.i.i.i.i, !prof !24
 
 B174.endif.endif.i201.i.i.i.i.i:                  ; preds = %B174.endif.i196.i.i.i.i.i
   %.95.i202.i.i.i.i.i = fmul contract double %.89.i197.i.i.i.i.i, %.4191.i.i.i.i.i
@@ -3149,7 +3102,7 @@ B282.endif.i219.i.i.i.i.i:                        ; preds = %B282.i217.i.i.i.i.i
   %.145.i221.i.i.i.i.i = fmul contract double %.3827.i.i.i.i.i, %.143.i220.i.i.i.i.i
   %.147.i222.i.i.i.i.i = fadd contract double %.3830.i.i.i.i.i, %.145.i221.i.i.i.i.i
   %.152.i223.i.i.i.i.i = fcmp contract oeq double %.147.i222.i.i.i.i.i, 0.000000e+00
-  br i1 %.152.i223.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i224.i.i.i.i.i, !prof !24
+  br i1 %.152.i223.i.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i224.i.i.i.i.i, !prof !24
 
 B282.endif.endif.i224.i.i.i.i.i:                  ; preds = %B282.endif.i219.i.i.i.i.i
   %.149.i225.i.i.i.i.i = fmul contract double %.143.i220.i.i.i.i.i, %.4188.i.i.i.i.i
@@ -3169,33 +3122,33 @@ B0.endif.endif.endif.endi...endif.6.i.i.i.i.i:    ; preds = %B282.endif.endif.i2
   store double %.4367.i.i.i.i.i, ptr %.4249.i.i.i.i.i, align 8, !noalias !94
   %.4477.i.i.i.i.i = load double, ptr %.4475.i.i.i.i.i, align 8, !noalias !94
   %.4479.i.i.i.i.i = load double, ptr %.4478.i.i.i.i.i, align 8, !noalias !94
-  %.64.i235.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x402CA90C106318D7
-  %.80.i236.i.i.i.i.i = fadd contract double %.58.i.i.i1.i.i.i, %.64.i235.i.i.i.i.i
-  %.46.i237.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0x402CA90C106318D7
-  %.70.i239.i.i.i.i.i = fsub contract double %.46.i237.i.i.i.i.i, %.52.i.i.i5.i.i.i
+  %.64.i235.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x402CA90C106318D7
+  %.80.i236.i.i.i.i.i = fadd contract double %.58.i.i.i15.i.i.i, %.64.i235.i.i.i.i.i
+  %.46.i237.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0x402CA90C106318D7
+  %.70.i239.i.i.i.i.i = fsub contract double %.46.i237.i.i.i.i.i, %.52.i.i.i19.i.i.i
   %.4646.i.i.i.i.i = fadd contract double %.70.i239.i.i.i.i.i, 0xC06030460C29F3DF
   %.4649.i.i.i.i.i = fadd contract double %.80.i236.i.i.i.i.i, 0.000000e+00
-  %.58.i241.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.4649.i.i.i.i.i
-  %.64.i242.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.4646.i.i.i.i.i
+  %.58.i241.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.4649.i.i.i.i.i
+  %.64.i242.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.4646.i.i.i.i.i
   %.80.i243.i.i.i.i.i = fadd contract double %.64.i242.i.i.i.i.i, %.58.i241.i.i.i.i.i
-  %.46.i244.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.4646.i.i.i.i.i
-  %.52.i245.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.4649.i.i.i.i.i
+  %.46.i244.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.4646.i.i.i.i.i
+  %.52.i245.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.4649.i.i.i.i.i
   %.70.i246.i.i.i.i.i = fsub contract double %.46.i244.i.i.i.i.i, %.52.i245.i.i.i.i.i
   %.4706.i.i.i.i.i = fadd contract double %.70.i246.i.i.i.i.i, 0x40D015D04F4BC5D2
   %.4709.i.i.i.i.i = fadd contract double %.80.i243.i.i.i.i.i, 0.000000e+00
-  %.58.i248.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.4709.i.i.i.i.i
-  %.64.i249.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.4706.i.i.i.i.i
+  %.58.i248.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.4709.i.i.i.i.i
+  %.64.i249.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.4706.i.i.i.i.i
   %.80.i250.i.i.i.i.i = fadd contract double %.64.i249.i.i.i.i.i, %.58.i248.i.i.i.i.i
-  %.46.i251.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.4706.i.i.i.i.i
-  %.52.i252.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.4709.i.i.i.i.i
+  %.46.i251.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.4706.i.i.i.i.i
+  %.52.i252.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.4709.i.i.i.i.i
   %.70.i253.i.i.i.i.i = fsub contract double %.46.i251.i.i.i.i.i, %.52.i252.i.i.i.i.i
   %.4766.i.i.i.i.i = fadd contract double %.70.i253.i.i.i.i.i, 0xC0E536054A2E10AB
   %.4769.i.i.i.i.i = fadd contract double %.80.i250.i.i.i.i.i, 0.000000e+00
-  %.58.i255.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.4769.i.i.i.i.i
-  %.64.i256.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.4766.i.i.i.i.i
+  %.58.i255.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.4769.i.i.i.i.i
+  %.64.i256.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.4766.i.i.i.i.i
   %.80.i257.i.i.i.i.i = fadd contract double %.64.i256.i.i.i.i.i, %.58.i255.i.i.i.i.i
-  %.46.i258.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, %.4766.i.i.i.i.i
-  %.52.i259.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, %.4769.i.i.i.i.i
+  %.46.i258.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, %.4766.i.i.i.i.i
+  %.52.i259.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, %.4769.i.i.i.i.i
   %.70.i260.i.i.i.i.i = fsub contract double %.46.i258.i.i.i.i.i, %.52.i259.i.i.i.i.i
   %.4826.i.i.i.i.i = fadd contract double %.70.i260.i.i.i.i.i, 0x40C95DBCC2240A74
   %.4829.i.i.i.i.i = fadd contract double %.80.i257.i.i.i.i.i, 0.000000e+00
@@ -3205,51 +3158,95 @@ B0.endif.endif.endif.endi...endif.6.i.i.i.i.i:    ; preds = %B282.endif.endif.i2
   store double %.4855.i.i.i.i.i, ptr %.4478.i.i.i.i.i, align 8, !noalias !94
   %.4965.i.i.i.i.i = load double, ptr %.4963.i.i.i.i.i, align 8, !noalias !94
   %.4967.i.i.i.i.i = load double, ptr %.4966.i.i.i.i.i, align 8, !noalias !94
-  %.64.i263.i.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 0x40BD257CD0AE1310
-  %39 = fsub contract double %.58.i.i.i1.i.i.i, %.64.i263.i.i.i.i.i
-  %.46.i265.i.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 0xC0BD257CD0AE1310
-  %.70.i267.i.i.i.i.i = fsub contract double %.46.i265.i.i.i.i.i, %.52.i.i.i5.i.i.i
+  %.64.i263.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0x40BD257CD0AE1310
+  %39 = fsub contract double %.58.i.i.i15.i.i.i, %.64.i263.i.i.i.i.i
+  %.46.i265.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0xC0BD257CD0AE1310
+  %.70.i267.i.i.i.i.i = fsub contract double %.46.i265.i.i.i.i.i, %.52.i.i.i19.i.i.i
   %.5047.i.i.i.i.i = fadd contract double %.70.i267.i.i.i.i.i, 0xC09600901EF7C9A4
   %.5050.i.i.i.i.i = fadd contract double %39, 0.000000e+00
   %.5073.i.i.i.i.i = fadd contract double %.5047.i.i.i.i.i, %.4965.i.i.i.i.i
   %.5076.i.i.i.i.i = fadd contract double %.5050.i.i.i.i.i, %.4967.i.i.i.i.i
   store double %.5073.i.i.i.i.i, ptr %.4963.i.i.i.i.i, align 8, !noalias !94
   store double %.5076.i.i.i.i.i, ptr %.4966.i.i.i.i.i, align 8, !noalias !94
-  store ptr null, ptr %.568.i.i.i.i, align 8, !noalias !89
-  call fastcc void @inner_5(ptr nonnull %.568.i.i.i.i, double %.88.sroa.0.0.i.i.i.i, double %.88.sroa.4.0.i.i.i.i, double %.455.i.i.i, double %"$phi446.4.2.1.i.i.i", ptr nonnull %arg.state.10.0.4)
-  store ptr null, ptr %.599.i.i.i.i, align 8, !noalias !89
-  call fastcc void @inner_5(ptr nonnull %.599.i.i.i.i, double %.161.sroa.0.0.i.i.i.i, double %.161.sroa.4.0.i.i.i.i, double %.520.i.i.i, double %"$phi556.4.2.1.i.i.i", ptr nonnull %arg.state.10.0.4)
-  store ptr null, ptr %.632.i.i.i.i, align 8, !noalias !89
-  call fastcc void @inner_6(ptr nonnull %.632.i.i.i.i, double %.88.sroa.0.0.i.i.i.i, double %.88.sroa.4.0.i.i.i.i, double %.455.i.i.i, double %"$phi446.4.2.1.i.i.i", double %.73.le.i.i.i.i, double %.613.i.i.i, ptr nonnull %arg.state.10.0.4)
-  store ptr null, ptr %.669.i.i.i.i, align 8, !noalias !89
-  call fastcc void @inner_6(ptr nonnull %.669.i.i.i.i, double %.161.sroa.0.0.i.i.i.i, double %.161.sroa.4.0.i.i.i.i, double %.520.i.i.i, double %"$phi556.4.2.1.i.i.i", double %.73.le.i17.i.i.i, double %.628.i.i.i, ptr nonnull %arg.state.10.0.4)
-  %.55.i.i.i.i.i = fsub contract double 1.000000e+00, %.88.sroa.0.0.i.i.i.i
-  %.58.i3.i.i.i.i = fsub contract double 0.000000e+00, %.88.sroa.4.0.i.i.i.i
-  %.58.i.i4.i.i.i.i = fmul contract double %.88.sroa.0.0.i.i.i.i, %.58.i3.i.i.i.i
-  %.64.i.i5.i.i.i.i = fmul contract double %.88.sroa.4.0.i.i.i.i, %.55.i.i.i.i.i
+  br label %B256.i.i.i.i
+
+B256.i.i.i.i:                                     ; preds = %B0.endif.endif.i.i.i.i, %B0.endif.endif.endif.endi...endif.6.i.i.i.i.i
+  store ptr null, ptr %.584.i.i.i.i, align 8, !noalias !89
+  call fastcc void @inner_5(ptr nonnull %.584.i.i.i.i, double %.91.sroa.0.0.i.i.i.i, double %.91.sroa.4.0.i.i.i.i, double %.455.i.i.i, double %"$phi446.4.2.1.i.i.i", ptr nonnull %arg.state.10.0.4)
+  switch i63 %trunc.i.i.i, label %B364.i.i.i.i [
+    i63 4, label %B326.i.i.i.i
+    i63 0, label %B326.i.i.i.i
+  ]
+
+B326.i.i.i.i:                                     ; preds = %B0.endif.endif.i.i.i.i, %B256.i.i.i.i, %B256.i.i.i.i
+  store ptr null, ptr %.621.i.i.i.i, align 8, !noalias !89
+  call fastcc void @inner_5(ptr nonnull %.621.i.i.i.i, double %.164.sroa.0.0.i.i.i.i, double %.164.sroa.4.0.i.i.i.i, double %.520.i.i.i, double %"$phi556.4.2.1.i.i.i", ptr nonnull %arg.state.10.0.4)
+  switch i63 %trunc.i.i.i, label %B624.i.i.i.i [
+    i63 3, label %B416.i.i.i.i
+    i63 1, label %B416.i.i.i.i
+    i63 0, label %B416.i.i.i.i
+    i63 4, label %B520.i.i.i.i
+    i63 2, label %B520.i.i.i.i
+  ]
+
+B364.i.i.i.i:                                     ; preds = %B0.endif.endif.i.i.i.i, %B256.i.i.i.i
+  %.old.i.i.i.i = and i64 %.326290306.i.i.i, 9223372036854775805
+  %or.cond.i.not.old.i.i.i.i = icmp eq i64 %.old.i.i.i.i, 1
+  br i1 %or.cond.i.not.old.i.i.i.i, label %B416.i.i.i.i, label %B464.i.i.i.i
+
+B416.i.i.i.i:                                     ; preds = %B364.i.i.i.i, %B326.i.i.i.i, %B326.i.i.i.i, %B326.i.i.i.i
+  store ptr null, ptr %.700.i.i.i.i, align 8, !noalias !89
+  call fastcc void @inner_6(ptr nonnull %.700.i.i.i.i, double %.91.sroa.0.0.i.i.i.i, double %.91.sroa.4.0.i.i.i.i, double %.455.i.i.i, double %"$phi446.4.2.1.i.i.i", double %.73.le.i.i.i.i, double %.613.i.i.i, ptr nonnull %arg.state.10.0.4)
+  br label %B464.i.i.i.i
+
+B464.i.i.i.i:                                     ; preds = %B416.i.i.i.i, %B364.i.i.i.i
+  switch i63 %trunc.i.i.i, label %B572.i.i.i.i [
+    i63 0, label %B520.i.i.i.i
+    i63 4, label %B520.i.i.i.i
+    i63 2, label %B520.i.i.i.i
+  ]
+
+B520.i.i.i.i:                                     ; preds = %B464.i.i.i.i, %B464.i.i.i.i, %B464.i.i.i.i, %B326.i.i.i.i, %B326.i.i.i.i
+  store ptr null, ptr %.783.i.i.i.i, align 8, !noalias !89
+  call fastcc void @inner_6(ptr nonnull %.783.i.i.i.i, double %.164.sroa.0.0.i.i.i.i, double %.164.sroa.4.0.i.i.i.i, double %.520.i.i.i, double %"$phi556.4.2.1.i.i.i", double %.73.le.i17.i.i.i, double %.628.i.i.i, ptr nonnull %arg.state.10.0.4)
+  switch i63 %trunc.i.i.i, label %B660.i.i.i.i [
+    i63 4, label %B624.i.i.i.i
+    i63 3, label %B624.i.i.i.i
+    i63 0, label %B624.i.i.i.i
+  ]
+
+B572.i.i.i.i:                                     ; preds = %B464.i.i.i.i
+  %or.cond.i16.old.i.i.i.i = icmp samesign ult i64 %.326290306.i.i.i, 3
+  br i1 %or.cond.i16.old.i.i.i.i, label %B660.i.i.i.i, label %B624.i.i.i.i
+
+B624.i.i.i.i:                                     ; preds = %B572.i.i.i.i, %B520.i.i.i.i, %B520.i.i.i.i, %B520.i.i.i.i, %B326.i.i.i.i
+  %.55.i.i.i.i.i = fsub contract double 1.000000e+00, %.91.sroa.0.0.i.i.i.i
+  %.58.i3.i.i.i.i = fsub contract double 0.000000e+00, %.91.sroa.4.0.i.i.i.i
+  %.58.i.i4.i.i.i.i = fmul contract double %.91.sroa.0.0.i.i.i.i, %.58.i3.i.i.i.i
+  %.64.i.i5.i.i.i.i = fmul contract double %.91.sroa.4.0.i.i.i.i, %.55.i.i.i.i.i
   %.80.i.i6.i.i.i.i = fadd contract double %.58.i.i4.i.i.i.i, %.64.i.i5.i.i.i.i
-  %.46.i.i7.i.i.i.i = fmul contract double %.88.sroa.0.0.i.i.i.i, %.55.i.i.i.i.i
-  %.52.i.i8.i.i.i.i = fmul contract double %.88.sroa.4.0.i.i.i.i, %.58.i3.i.i.i.i
+  %.46.i.i7.i.i.i.i = fmul contract double %.91.sroa.0.0.i.i.i.i, %.55.i.i.i.i.i
+  %.52.i.i8.i.i.i.i = fmul contract double %.91.sroa.4.0.i.i.i.i, %.58.i3.i.i.i.i
   %.70.i.i9.i.i.i.i = fsub contract double %.46.i.i7.i.i.i.i, %.52.i.i8.i.i.i.i
-  %.58.i1.i.i7.i.i.i = fmul contract double %"$phi446.4.2.1.i.i.i", %.70.i.i9.i.i.i.i
-  %.64.i2.i.i8.i.i.i = fmul contract double %.455.i.i.i, %.80.i.i6.i.i.i.i
-  %.80.i3.i.i9.i.i.i = fadd contract double %.64.i2.i.i8.i.i.i, %.58.i1.i.i7.i.i.i
-  %.46.i4.i.i10.i.i.i = fmul contract double %.455.i.i.i, %.70.i.i9.i.i.i.i
-  %.52.i5.i.i11.i.i.i = fmul contract double %"$phi446.4.2.1.i.i.i", %.80.i.i6.i.i.i.i
-  %.70.i6.i.i12.i.i.i = fsub contract double %.46.i4.i.i10.i.i.i, %.52.i5.i.i11.i.i.i
-  %.58.i8.i.i13.i.i.i = fmul contract double %"$phi556.4.2.1.i.i.i", %.70.i6.i.i12.i.i.i
-  %.64.i9.i.i14.i.i.i = fmul contract double %.520.i.i.i, %.80.i3.i.i9.i.i.i
-  %.80.i10.i.i15.i.i.i = fadd contract double %.64.i9.i.i14.i.i.i, %.58.i8.i.i13.i.i.i
-  %.46.i11.i.i16.i.i.i = fmul contract double %.520.i.i.i, %.70.i6.i.i12.i.i.i
-  %.52.i12.i.i17.i.i.i = fmul contract double %"$phi556.4.2.1.i.i.i", %.80.i3.i.i9.i.i.i
-  %.70.i13.i.i18.i.i.i = fsub contract double %.46.i11.i.i16.i.i.i, %.52.i12.i.i17.i.i.i
+  %.58.i1.i.i1.i.i.i = fmul contract double %"$phi446.4.2.1.i.i.i", %.70.i.i9.i.i.i.i
+  %.64.i2.i.i2.i.i.i = fmul contract double %.455.i.i.i, %.80.i.i6.i.i.i.i
+  %.80.i3.i.i3.i.i.i = fadd contract double %.64.i2.i.i2.i.i.i, %.58.i1.i.i1.i.i.i
+  %.46.i4.i.i4.i.i.i = fmul contract double %.455.i.i.i, %.70.i.i9.i.i.i.i
+  %.52.i5.i.i5.i.i.i = fmul contract double %"$phi446.4.2.1.i.i.i", %.80.i.i6.i.i.i.i
+  %.70.i6.i.i6.i.i.i = fsub contract double %.46.i4.i.i4.i.i.i, %.52.i5.i.i5.i.i.i
+  %.58.i8.i.i7.i.i.i = fmul contract double %"$phi556.4.2.1.i.i.i", %.70.i6.i.i6.i.i.i
+  %.64.i9.i.i8.i.i.i = fmul contract double %.520.i.i.i, %.80.i3.i.i3.i.i.i
+  %.80.i10.i.i9.i.i.i = fadd contract double %.64.i9.i.i8.i.i.i, %.58.i8.i.i7.i.i.i
+  %.46.i11.i.i10.i.i.i = fmul contract double %.520.i.i.i, %.70.i6.i.i6.i.i.i
+  %.52.i12.i.i11.i.i.i = fmul contract double %"$phi556.4.2.1.i.i.i", %.80.i3.i.i3.i.i.i
+  %.70.i13.i.i12.i.i.i = fsub contract double %.46.i11.i.i10.i.i.i, %.52.i12.i.i11.i.i.i
   %.195.i.i.i.i.i = load double, ptr %.588.i.i.i.i.i, align 8, !noalias !98
   %.197.i.i.i.i.i = load double, ptr %.591.i.i.i.i.i, align 8, !noalias !98
-  %.58.i15.i.i19.i.i.i = fmul contract double %.80.i10.i.i15.i.i.i, 9.875000e+01
-  %.64.i16.i.i20.i.i.i = fmul contract double %.70.i13.i.i18.i.i.i, 0.000000e+00
-  %40 = fsub contract double %.64.i16.i.i20.i.i.i, %.58.i15.i.i19.i.i.i
-  %.46.i18.i.i.i.i.i = fmul contract double %.70.i13.i.i18.i.i.i, -9.875000e+01
-  %.52.i19.i.i.i.i.i = fmul contract double %.80.i10.i.i15.i.i.i, 0.000000e+00
+  %.58.i15.i.i13.i.i.i = fmul contract double %.80.i10.i.i9.i.i.i, 9.875000e+01
+  %.64.i16.i.i14.i.i.i = fmul contract double %.70.i13.i.i12.i.i.i, 0.000000e+00
+  %40 = fsub contract double %.64.i16.i.i14.i.i.i, %.58.i15.i.i13.i.i.i
+  %.46.i18.i.i.i.i.i = fmul contract double %.70.i13.i.i12.i.i.i, -9.875000e+01
+  %.52.i19.i.i.i.i.i = fmul contract double %.80.i10.i.i9.i.i.i, 0.000000e+00
   %.70.i20.i.i.i.i.i = fsub contract double %.46.i18.i.i.i.i.i, %.52.i19.i.i.i.i.i
   %.251.i.i.i.i.i = fadd contract double %.70.i20.i.i.i.i.i, %.195.i.i.i.i.i
   %.254.i.i.i.i.i = fadd contract double %40, %.197.i.i.i.i.i
@@ -3265,21 +3262,21 @@ B0.endif.endif.endif.endi...endif.6.i.i.i.i.i:    ; preds = %B282.endif.endif.i2
   %.70.i27.i.i.i.i.i = fsub contract double %.46.i25.i.i.i.i.i, %.52.i26.i.i.i.i.i
   %.428.i.i.i.i.i = fadd contract double %.70.i27.i.i.i.i.i, 0x40723BDB6DB6DB6E
   %.431.i.i.i.i.i = fadd contract double %.80.i24.i.i.i.i.i, 0.000000e+00
-  %.58.i29.i.i.i.i.i = fmul contract double %.431.i.i.i.i.i, %.70.i13.i.i18.i.i.i
-  %.64.i30.i.i.i.i.i = fmul contract double %.428.i.i.i.i.i, %.80.i10.i.i15.i.i.i
+  %.58.i29.i.i.i.i.i = fmul contract double %.431.i.i.i.i.i, %.70.i13.i.i12.i.i.i
+  %.64.i30.i.i.i.i.i = fmul contract double %.428.i.i.i.i.i, %.80.i10.i.i9.i.i.i
   %.80.i31.i.i.i.i.i = fadd contract double %.64.i30.i.i.i.i.i, %.58.i29.i.i.i.i.i
-  %.46.i32.i.i.i.i.i = fmul contract double %.428.i.i.i.i.i, %.70.i13.i.i18.i.i.i
-  %.52.i33.i.i.i.i.i = fmul contract double %.431.i.i.i.i.i, %.80.i10.i.i15.i.i.i
+  %.46.i32.i.i.i.i.i = fmul contract double %.428.i.i.i.i.i, %.70.i13.i.i12.i.i.i
+  %.52.i33.i.i.i.i.i = fmul contract double %.431.i.i.i.i.i, %.80.i10.i.i9.i.i.i
   %.70.i34.i.i.i.i.i = fsub contract double %.46.i32.i.i.i.i.i, %.52.i33.i.i.i.i.i
   %.480.i10.i.i.i.i = fadd contract double %.70.i34.i.i.i.i.i, %.364.i.i.i.i.i
   %.483.i.i.i.i.i = fadd contract double %.80.i31.i.i.i.i.i, %.366.i.i.i.i.i
   store double %.480.i10.i.i.i.i, ptr %.1111.i.i.i.i.i, align 8, !noalias !98
   store double %.483.i.i.i.i.i, ptr %.1114.i.i.i.i.i, align 8, !noalias !98
-  %.58.i36.i.i.i.i.i = fmul contract double %"$phi446.4.2.1.i.i.i", %.88.sroa.0.0.i.i.i.i
-  %.64.i37.i.i.i.i.i = fmul contract double %.455.i.i.i, %.88.sroa.4.0.i.i.i.i
+  %.58.i36.i.i.i.i.i = fmul contract double %"$phi446.4.2.1.i.i.i", %.91.sroa.0.0.i.i.i.i
+  %.64.i37.i.i.i.i.i = fmul contract double %.455.i.i.i, %.91.sroa.4.0.i.i.i.i
   %.80.i38.i.i.i.i.i = fadd contract double %.64.i37.i.i.i.i.i, %.58.i36.i.i.i.i.i
-  %.46.i39.i.i.i.i.i = fmul contract double %.455.i.i.i, %.88.sroa.0.0.i.i.i.i
-  %.52.i40.i.i.i.i.i = fmul contract double %"$phi446.4.2.1.i.i.i", %.88.sroa.4.0.i.i.i.i
+  %.46.i39.i.i.i.i.i = fmul contract double %.455.i.i.i, %.91.sroa.0.0.i.i.i.i
+  %.52.i40.i.i.i.i.i = fmul contract double %"$phi446.4.2.1.i.i.i", %.91.sroa.4.0.i.i.i.i
   %.70.i41.i.i.i.i.i = fsub contract double %.46.i39.i.i.i.i.i, %.52.i40.i.i.i.i.i
   %.58.i43.i.i.i.i.i = fmul contract double %"$phi556.4.2.1.i.i.i", %.55.i.i.i.i.i
   %.64.i44.i.i.i.i.i = fmul contract double %.520.i.i.i, %.58.i3.i.i.i.i
@@ -3289,9 +3286,9 @@ B0.endif.endif.endif.endi...endif.6.i.i.i.i.i:    ; preds = %B282.endif.endif.i2
   %.70.i48.i.i.i.i.i = fsub contract double %.46.i46.i.i.i.i.i, %.52.i47.i.i.i.i.i
   %.705.i.i.i.i.i = load double, ptr %.1645.i.i.i.i.i, align 8, !noalias !98
   %.707.i.i.i.i.i = load double, ptr %.1648.i.i.i.i.i, align 8, !noalias !98
-  %.58.i50.i.i.i.i.i = fmul contract double %.80.i10.i.i15.i.i.i, 8.000000e+02
-  %.80.i52.i.i.i.i.i = fadd contract double %.64.i16.i.i20.i.i.i, %.58.i50.i.i.i.i.i
-  %.46.i53.i.i.i.i.i = fmul contract double %.70.i13.i.i18.i.i.i, 8.000000e+02
+  %.58.i50.i.i.i.i.i = fmul contract double %.80.i10.i.i9.i.i.i, 8.000000e+02
+  %.80.i52.i.i.i.i.i = fadd contract double %.64.i16.i.i14.i.i.i, %.58.i50.i.i.i.i.i
+  %.46.i53.i.i.i.i.i = fmul contract double %.70.i13.i.i12.i.i.i, 8.000000e+02
   %.70.i55.i.i.i.i.i = fsub contract double %.46.i53.i.i.i.i.i, %.52.i19.i.i.i.i.i
   %.648.i.i.i.i.i = fsub contract double %.80.i38.i.i.i.i.i, %.80.i45.i.i.i.i.i
   %.645.i.i.i.i.i = fsub contract double %.70.i41.i.i.i.i.i, %.70.i48.i.i.i.i.i
@@ -3318,760 +3315,845 @@ B0.endif.endif.endif.endi...endif.6.i.i.i.i.i:    ; preds = %B282.endif.endif.i2
   %.929.i.i.i.i.i = fadd contract double %41, %.707.i.i.i.i.i
   store double %.926.i.i.i.i.i, ptr %.1645.i.i.i.i.i, align 8, !noalias !98
   store double %.929.i.i.i.i.i, ptr %.1648.i.i.i.i.i, align 8, !noalias !98
-  store ptr null, ptr %.737.i.i.i.i, align 8, !noalias !89
-  call fastcc void @inner_7(ptr nonnull %.737.i.i.i.i, double %.88.sroa.0.0.i.i.i.i, double %.88.sroa.4.0.i.i.i.i, double %.81.i.i.i, double %"$phi620.1.2.1.i.i.i", ptr nonnull %arg.state.10.0.4)
-  store ptr null, ptr %.775.i.i.i.i, align 8, !noalias !89
-  call fastcc void @inner_7(ptr nonnull %.775.i.i.i.i, double %.161.sroa.0.0.i.i.i.i, double %.161.sroa.4.0.i.i.i.i, double %.111.i.i.i, double %"$phi670.1.2.1.i.i.i", ptr nonnull %arg.state.10.0.4)
-  %.58.i67.i.i.i.i = fmul contract double %.80.i62.i.i.i.i, 1.280000e+02
-  %.80.i69.i.i.i.i = fadd contract double %.58.i.i.i1.i.i.i, %.58.i67.i.i.i.i
-  %.46.i70.i.i.i.i = fmul contract double %.70.i65.i.i.i.i, 1.280000e+02
-  %.70.i72.i.i.i.i = fsub contract double %.46.i70.i.i.i.i, %.52.i.i.i5.i.i.i
-  %.45.i74.i.i.i.i = tail call contract double @llvm.fabs.f64(double %.70.i72.i.i.i.i)
-  %.50.i75.i.i.i.i = tail call contract double @llvm.fabs.f64(double %.80.i69.i.i.i.i)
-  %.56.i76.i.i.i.i = fcmp contract ult double %.45.i74.i.i.i.i, %.50.i75.i.i.i.i
-  br i1 %.56.i76.i.i.i.i, label %B270.i98.i.i.i.i, label %B132.i77.i.i.i.i
+  br label %B660.i.i.i.i
 
-B132.i77.i.i.i.i:                                 ; preds = %B0.endif.endif.endif.endi...endif.6.i.i.i.i.i
-  %.59.i78.i.i.i.i = fcmp contract oeq double %.70.i72.i.i.i.i, 0.000000e+00
-  br i1 %.59.i78.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i79.i.i.i.i, !prof !93
+B660.i.i.i.i:                                     ; preds = %B624.i.i.i.i, %B572.i.i.i.i, %B520.i.i.i.i
+  %42 = icmp samesign ult i64 %.326290306.i.i.i, 2
+  br i1 %42, label %B696.i.i.i.i, label %B742.i.i.i.i
 
-B270.i98.i.i.i.i:                                 ; preds = %B0.endif.endif.endif.endi...endif.6.i.i.i.i.i
-  %.132.i99.i.i.i.i = fcmp contract ult double %.50.i75.i.i.i.i, %.45.i74.i.i.i.i
-  br i1 %.132.i99.i.i.i.i, label %B576.if.i.i.i.i, label %B282.i100.i.i.i.i
+B696.i.i.i.i:                                     ; preds = %B660.i.i.i.i
+  store ptr null, ptr %.911.i.i.i.i, align 8, !noalias !89
+  call fastcc void @inner_7(ptr nonnull %.911.i.i.i.i, double %.91.sroa.0.0.i.i.i.i, double %.91.sroa.4.0.i.i.i.i, double %.81.i.i.i, double %"$phi620.1.2.1.i.i.i", ptr nonnull %arg.state.10.0.4)
+  br label %B742.i.i.i.i
 
-B282.i100.i.i.i.i:                                ; preds = %B270.i98.i.i.i.i
-  %.136.i101.i.i.i.i = fcmp contract oeq double %.80.i69.i.i.i.i, 0.000000e+00
-  br i1 %.136.i101.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i102.i.i.i.i, !prof !24
+B742.i.i.i.i:                                     ; preds = %B696.i.i.i.i, %B660.i.i.i.i
+  switch i63 %trunc.i.i.i, label %B824.i.i.i.i [
+    i63 2, label %B778.i.i.i.i
+    i63 0, label %B778.i.i.i.i
+  ]
 
-B174.endif.i79.i.i.i.i:                           ; preds = %B132.i77.i.i.i.i
-  %.89.i80.i.i.i.i = fdiv contract double %.80.i69.i.i.i.i, %.70.i72.i.i.i.i
-  %.91.i81.i.i.i.i = fmul contract double %.80.i69.i.i.i.i, %.89.i80.i.i.i.i
-  %.93.i82.i.i.i.i = fadd contract double %.70.i72.i.i.i.i, %.91.i81.i.i.i.i
-  %.98.i83.i.i.i.i = fcmp contract oeq double %.93.i82.i.i.i.i, 0.000000e+00
-  br i1 %.98.i83.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i84.i.i.i.i, !prof !24
+B778.i.i.i.i:                                     ; preds = %B742.i.i.i.i, %B742.i.i.i.i
+  store ptr null, ptr %.963.i.i.i.i, align 8, !noalias !89
+  call fastcc void @inner_7(ptr nonnull %.963.i.i.i.i, double %.164.sroa.0.0.i.i.i.i, double %.164.sroa.4.0.i.i.i.i, double %.111.i.i.i, double %"$phi670.1.2.1.i.i.i", ptr nonnull %arg.state.10.0.4)
+  br label %B824.i.i.i.i
 
-B174.endif.endif.i84.i.i.i.i:                     ; preds = %B174.endif.i79.i.i.i.i
-  %.95.i85.i.i.i.i = fmul contract double %.89.i80.i.i.i.i, 0.000000e+00
-  %.97.i86.i.i.i.i = fadd contract double %.95.i85.i.i.i.i, 3.000000e+00
-  %.105.i87.i.i.i.i = fdiv contract double %.97.i86.i.i.i.i, %.93.i82.i.i.i.i
-  %.107.i88.i.i.i.i = fmul contract double %.89.i80.i.i.i.i, 3.000000e+00
-  %.109.i89.i.i.i.i = fsub contract double 0.000000e+00, %.107.i88.i.i.i.i
-  %.117.i90.i.i.i.i = fdiv contract double %.109.i89.i.i.i.i, %.93.i82.i.i.i.i
-  br label %B576.if.i.i.i.i
-
-B282.endif.i102.i.i.i.i:                          ; preds = %B282.i100.i.i.i.i
-  %.143.i103.i.i.i.i = fdiv contract double %.70.i72.i.i.i.i, %.80.i69.i.i.i.i
-  %.145.i104.i.i.i.i = fmul contract double %.70.i72.i.i.i.i, %.143.i103.i.i.i.i
-  %.147.i105.i.i.i.i = fadd contract double %.80.i69.i.i.i.i, %.145.i104.i.i.i.i
-  %.152.i106.i.i.i.i = fcmp contract oeq double %.147.i105.i.i.i.i, 0.000000e+00
-  br i1 %.152.i106.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i107.i.i.i.i, !prof !24
-
-B282.endif.endif.i107.i.i.i.i:                    ; preds = %B282.endif.i102.i.i.i.i
-  %.149.i108.i.i.i.i = fmul contract double %.143.i103.i.i.i.i, 3.000000e+00
-  %.151.i109.i.i.i.i = fadd contract double %.149.i108.i.i.i.i, 0.000000e+00
-  %.159.i110.i.i.i.i = fdiv contract double %.151.i109.i.i.i.i, %.147.i105.i.i.i.i
-  %.161.i111.i.i.i.i = fmul contract double %.143.i103.i.i.i.i, 0.000000e+00
-  %.163.i112.i.i.i.i = fadd contract double %.161.i111.i.i.i.i, -3.000000e+00
-  %.171.i113.i.i.i.i = fdiv contract double %.163.i112.i.i.i.i, %.147.i105.i.i.i.i
-  br label %B576.if.i.i.i.i
-
-B576.if.i.i.i.i:                                  ; preds = %B282.endif.endif.i107.i.i.i.i, %B174.endif.endif.i84.i.i.i.i, %B270.i98.i.i.i.i
-  %.850.sroa.0.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i98.i.i.i.i ], [ %.105.i87.i.i.i.i, %B174.endif.endif.i84.i.i.i.i ], [ %.159.i110.i.i.i.i, %B282.endif.endif.i107.i.i.i.i ]
-  %.850.sroa.4.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i98.i.i.i.i ], [ %.117.i90.i.i.i.i, %B174.endif.endif.i84.i.i.i.i ], [ %.171.i113.i.i.i.i, %B282.endif.endif.i107.i.i.i.i ]
-  %.1169.i.i.i.i = load double, ptr %arg.state.10.0.4, align 8, !noalias !89
-  %.1171.i.i.i.i = load double, ptr %.80.i1.i.i.i.i, align 8, !noalias !89
-  %.58.i117.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.i.i.i.i
-  %.64.i118.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.i.i.i.i
-  %.80.i119.i.i.i.i = fadd contract double %.58.i117.i.i.i.i, %.64.i118.i.i.i.i
-  %.46.i120.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.i.i.i.i
-  %.52.i121.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.i.i.i.i
-  %.70.i122.i.i.i.i = fsub contract double %.46.i120.i.i.i.i, %.52.i121.i.i.i.i
-  store double %.70.i122.i.i.i.i, ptr %arg.state.10.0.4, align 8, !noalias !89
-  store double %.80.i119.i.i.i.i, ptr %.80.i1.i.i.i.i, align 8, !noalias !89
-  %.1169.1141.i.i.i.i = load double, ptr %sunkaddr173.i.i.i.i, align 8, !noalias !89
-  %.1171.1143.i.i.i.i = load double, ptr %sunkaddr175.i.i.i.i, align 8, !noalias !89
-  %.58.i117.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1141.i.i.i.i
-  %.64.i118.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1143.i.i.i.i
-  %.80.i119.1.i.i.i.i = fadd contract double %.58.i117.1.i.i.i.i, %.64.i118.1.i.i.i.i
-  %.46.i120.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1141.i.i.i.i
-  %.52.i121.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1143.i.i.i.i
-  %.70.i122.1.i.i.i.i = fsub contract double %.46.i120.1.i.i.i.i, %.52.i121.1.i.i.i.i
-  store double %.70.i122.1.i.i.i.i, ptr %sunkaddr173.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.1.i.i.i.i, ptr %sunkaddr175.i.i.i.i, align 8, !noalias !89
-  %.1169.116.i.i.i.i = load double, ptr %.222.i.i.i.i.i, align 8, !noalias !89
-  %.1171.117.i.i.i.i = load double, ptr %.225.i.i.i.i.i, align 8, !noalias !89
-  %.58.i117.118.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.116.i.i.i.i
-  %.64.i118.119.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.117.i.i.i.i
-  %.80.i119.120.i.i.i.i = fadd contract double %.58.i117.118.i.i.i.i, %.64.i118.119.i.i.i.i
-  %.46.i120.121.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.116.i.i.i.i
-  %.52.i121.122.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.117.i.i.i.i
-  %.70.i122.123.i.i.i.i = fsub contract double %.46.i120.121.i.i.i.i, %.52.i121.122.i.i.i.i
-  store double %.70.i122.123.i.i.i.i, ptr %.222.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.120.i.i.i.i, ptr %.225.i.i.i.i.i, align 8, !noalias !89
-  %.1169.1141.1.i.i.i.i = load double, ptr %.445.i.i.i.i.i, align 8, !noalias !89
-  %.1171.1143.1.i.i.i.i = load double, ptr %.448.i.i.i.i.i, align 8, !noalias !89
-  %.58.i117.1.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1141.1.i.i.i.i
-  %.64.i118.1.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1143.1.i.i.i.i
-  %.80.i119.1.1.i.i.i.i = fadd contract double %.58.i117.1.1.i.i.i.i, %.64.i118.1.1.i.i.i.i
-  %.46.i120.1.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1141.1.i.i.i.i
-  %.52.i121.1.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1143.1.i.i.i.i
-  %.70.i122.1.1.i.i.i.i = fsub contract double %.46.i120.1.1.i.i.i.i, %.52.i121.1.1.i.i.i.i
-  store double %.70.i122.1.1.i.i.i.i, ptr %.445.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.1.1.i.i.i.i, ptr %.448.i.i.i.i.i, align 8, !noalias !89
-  %.1169.225.i.i.i.i = load double, ptr %.588.i.i.i.i.i, align 8, !noalias !89
-  %.1171.226.i.i.i.i = load double, ptr %.591.i.i.i.i.i, align 8, !noalias !89
-  %.58.i117.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.225.i.i.i.i
-  %.64.i118.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.226.i.i.i.i
-  %.80.i119.2.i.i.i.i = fadd contract double %.58.i117.2.i.i.i.i, %.64.i118.2.i.i.i.i
-  %.46.i120.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.225.i.i.i.i
-  %.52.i121.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.226.i.i.i.i
-  %.70.i122.2.i.i.i.i = fsub contract double %.46.i120.2.i.i.i.i, %.52.i121.2.i.i.i.i
-  store double %.70.i122.2.i.i.i.i, ptr %.588.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.2.i.i.i.i, ptr %.591.i.i.i.i.i, align 8, !noalias !89
-  %.1169.1141.2.i.i.i.i = load double, ptr %sunkaddr173.2.i.i.i.i, align 8, !noalias !89
-  %.1171.1143.2.i.i.i.i = load double, ptr %sunkaddr175.2.i.i.i.i, align 8, !noalias !89
-  %.58.i117.1.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1141.2.i.i.i.i
-  %.64.i118.1.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1143.2.i.i.i.i
-  %.80.i119.1.2.i.i.i.i = fadd contract double %.58.i117.1.2.i.i.i.i, %.64.i118.1.2.i.i.i.i
-  %.46.i120.1.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1141.2.i.i.i.i
-  %.52.i121.1.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1143.2.i.i.i.i
-  %.70.i122.1.2.i.i.i.i = fsub contract double %.46.i120.1.2.i.i.i.i, %.52.i121.1.2.i.i.i.i
-  store double %.70.i122.1.2.i.i.i.i, ptr %sunkaddr173.2.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.1.2.i.i.i.i, ptr %sunkaddr175.2.i.i.i.i, align 8, !noalias !89
-  %.1169.3.i.i.i.i = load double, ptr %.1111.i.i.i.i.i, align 8, !noalias !89
-  %.1171.3.i.i.i.i = load double, ptr %.1114.i.i.i.i.i, align 8, !noalias !89
-  %.58.i117.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.3.i.i.i.i
-  %.64.i118.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.3.i.i.i.i
-  %.80.i119.3.i.i.i.i = fadd contract double %.58.i117.3.i.i.i.i, %.64.i118.3.i.i.i.i
-  %.46.i120.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.3.i.i.i.i
-  %.52.i121.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.3.i.i.i.i
-  %.70.i122.3.i.i.i.i = fsub contract double %.46.i120.3.i.i.i.i, %.52.i121.3.i.i.i.i
-  store double %.70.i122.3.i.i.i.i, ptr %.1111.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.3.i.i.i.i, ptr %.1114.i.i.i.i.i, align 8, !noalias !89
-  %.1169.1141.3.i.i.i.i = load double, ptr %.1645.i.i.i.i.i, align 8, !noalias !89
-  %.1171.1143.3.i.i.i.i = load double, ptr %.1648.i.i.i.i.i, align 8, !noalias !89
-  %.58.i117.1.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1141.3.i.i.i.i
-  %.64.i118.1.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1143.3.i.i.i.i
-  %.80.i119.1.3.i.i.i.i = fadd contract double %.58.i117.1.3.i.i.i.i, %.64.i118.1.3.i.i.i.i
-  %.46.i120.1.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1141.3.i.i.i.i
-  %.52.i121.1.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1143.3.i.i.i.i
-  %.70.i122.1.3.i.i.i.i = fsub contract double %.46.i120.1.3.i.i.i.i, %.52.i121.1.3.i.i.i.i
-  store double %.70.i122.1.3.i.i.i.i, ptr %.1645.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.1.3.i.i.i.i, ptr %.1648.i.i.i.i.i, align 8, !noalias !89
-  %.1169.4.i.i.i.i = load double, ptr %sunkaddr.4.i.i.i.i, align 8, !noalias !89
-  %.1171.4.i.i.i.i = load double, ptr %sunkaddr171.4.i.i.i.i, align 8, !noalias !89
-  %.58.i117.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.4.i.i.i.i
-  %.64.i118.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.4.i.i.i.i
-  %.80.i119.4.i.i.i.i = fadd contract double %.58.i117.4.i.i.i.i, %.64.i118.4.i.i.i.i
-  %.46.i120.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.4.i.i.i.i
-  %.52.i121.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.4.i.i.i.i
-  %.70.i122.4.i.i.i.i = fsub contract double %.46.i120.4.i.i.i.i, %.52.i121.4.i.i.i.i
-  store double %.70.i122.4.i.i.i.i, ptr %sunkaddr.4.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.4.i.i.i.i, ptr %sunkaddr171.4.i.i.i.i, align 8, !noalias !89
-  %.1169.1141.4.i.i.i.i = load double, ptr %.2656.i.i.i.i.i, align 8, !noalias !89
-  %.1171.1143.4.i.i.i.i = load double, ptr %.2659.i.i.i.i.i, align 8, !noalias !89
-  %.58.i117.1.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1141.4.i.i.i.i
-  %.64.i118.1.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1143.4.i.i.i.i
-  %.80.i119.1.4.i.i.i.i = fadd contract double %.58.i117.1.4.i.i.i.i, %.64.i118.1.4.i.i.i.i
-  %.46.i120.1.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1141.4.i.i.i.i
-  %.52.i121.1.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1143.4.i.i.i.i
-  %.70.i122.1.4.i.i.i.i = fsub contract double %.46.i120.1.4.i.i.i.i, %.52.i121.1.4.i.i.i.i
-  store double %.70.i122.1.4.i.i.i.i, ptr %.2656.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.1.4.i.i.i.i, ptr %.2659.i.i.i.i.i, align 8, !noalias !89
-  %.1169.5.i.i.i.i = load double, ptr %.3494.i.i.i.i.i, align 8, !noalias !89
-  %.1171.5.i.i.i.i = load double, ptr %.3497.i.i.i.i.i, align 8, !noalias !89
-  %.58.i117.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.5.i.i.i.i
-  %.64.i118.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.5.i.i.i.i
-  %.80.i119.5.i.i.i.i = fadd contract double %.58.i117.5.i.i.i.i, %.64.i118.5.i.i.i.i
-  %.46.i120.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.5.i.i.i.i
-  %.52.i121.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.5.i.i.i.i
-  %.70.i122.5.i.i.i.i = fsub contract double %.46.i120.5.i.i.i.i, %.52.i121.5.i.i.i.i
-  store double %.70.i122.5.i.i.i.i, ptr %.3494.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.5.i.i.i.i, ptr %.3497.i.i.i.i.i, align 8, !noalias !89
-  %.1169.1141.5.i.i.i.i = load double, ptr %.4475.i.i.i.i.i, align 8, !noalias !89
-  %.1171.1143.5.i.i.i.i = load double, ptr %.4478.i.i.i.i.i, align 8, !noalias !89
-  %.58.i117.1.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1141.5.i.i.i.i
-  %.64.i118.1.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1143.5.i.i.i.i
-  %.80.i119.1.5.i.i.i.i = fadd contract double %.58.i117.1.5.i.i.i.i, %.64.i118.1.5.i.i.i.i
-  %.46.i120.1.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1141.5.i.i.i.i
-  %.52.i121.1.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1143.5.i.i.i.i
-  %.70.i122.1.5.i.i.i.i = fsub contract double %.46.i120.1.5.i.i.i.i, %.52.i121.1.5.i.i.i.i
-  store double %.70.i122.1.5.i.i.i.i, ptr %.4475.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.1.5.i.i.i.i, ptr %.4478.i.i.i.i.i, align 8, !noalias !89
-  %.1169.6.i.i.i.i = load double, ptr %sunkaddr.6.i.i.i.i, align 8, !noalias !89
-  %.1171.6.i.i.i.i = load double, ptr %sunkaddr171.6.i.i.i.i, align 8, !noalias !89
-  %.58.i117.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.6.i.i.i.i
-  %.64.i118.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.6.i.i.i.i
-  %.80.i119.6.i.i.i.i = fadd contract double %.58.i117.6.i.i.i.i, %.64.i118.6.i.i.i.i
-  %.46.i120.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.6.i.i.i.i
-  %.52.i121.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.6.i.i.i.i
-  %.70.i122.6.i.i.i.i = fsub contract double %.46.i120.6.i.i.i.i, %.52.i121.6.i.i.i.i
-  store double %.70.i122.6.i.i.i.i, ptr %sunkaddr.6.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.6.i.i.i.i, ptr %sunkaddr171.6.i.i.i.i, align 8, !noalias !89
-  %.1169.1141.6.i.i.i.i = load double, ptr %sunkaddr173.6.i.i.i.i, align 8, !noalias !89
-  %.1171.1143.6.i.i.i.i = load double, ptr %sunkaddr175.6.i.i.i.i, align 8, !noalias !89
-  %.58.i117.1.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1141.6.i.i.i.i
-  %.64.i118.1.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1143.6.i.i.i.i
-  %.80.i119.1.6.i.i.i.i = fadd contract double %.58.i117.1.6.i.i.i.i, %.64.i118.1.6.i.i.i.i
-  %.46.i120.1.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1141.6.i.i.i.i
-  %.52.i121.1.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1143.6.i.i.i.i
-  %.70.i122.1.6.i.i.i.i = fsub contract double %.46.i120.1.6.i.i.i.i, %.52.i121.1.6.i.i.i.i
-  store double %.70.i122.1.6.i.i.i.i, ptr %sunkaddr173.6.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.1.6.i.i.i.i, ptr %sunkaddr175.6.i.i.i.i, align 8, !noalias !89
-  %.1169.7.i.i.i.i = load double, ptr %sunkaddr.7.i.i.i.i, align 8, !noalias !89
-  %.1171.7.i.i.i.i = load double, ptr %sunkaddr171.7.i.i.i.i, align 8, !noalias !89
-  %.58.i117.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.7.i.i.i.i
-  %.64.i118.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.7.i.i.i.i
-  %.80.i119.7.i.i.i.i = fadd contract double %.58.i117.7.i.i.i.i, %.64.i118.7.i.i.i.i
-  %.46.i120.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.7.i.i.i.i
-  %.52.i121.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.7.i.i.i.i
-  %.70.i122.7.i.i.i.i = fsub contract double %.46.i120.7.i.i.i.i, %.52.i121.7.i.i.i.i
-  store double %.70.i122.7.i.i.i.i, ptr %sunkaddr.7.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.7.i.i.i.i, ptr %sunkaddr171.7.i.i.i.i, align 8, !noalias !89
-  %.1169.1141.7.i.i.i.i = load double, ptr %sunkaddr173.7.i.i.i.i, align 8, !noalias !89
-  %.1171.1143.7.i.i.i.i = load double, ptr %sunkaddr175.7.i.i.i.i, align 8, !noalias !89
-  %.58.i117.1.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1141.7.i.i.i.i
-  %.64.i118.1.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1143.7.i.i.i.i
-  %.80.i119.1.7.i.i.i.i = fadd contract double %.58.i117.1.7.i.i.i.i, %.64.i118.1.7.i.i.i.i
-  %.46.i120.1.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1141.7.i.i.i.i
-  %.52.i121.1.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1143.7.i.i.i.i
-  %.70.i122.1.7.i.i.i.i = fsub contract double %.46.i120.1.7.i.i.i.i, %.52.i121.1.7.i.i.i.i
-  store double %.70.i122.1.7.i.i.i.i, ptr %sunkaddr173.7.i.i.i.i, align 8, !noalias !89
-  store double %.80.i119.1.7.i.i.i.i, ptr %sunkaddr175.7.i.i.i.i, align 8, !noalias !89
-  %.1169.1.i.i.i.i = load double, ptr %33, align 8, !noalias !89
-  %.1171.1.i.i.i.i = load double, ptr %scevgep160.i.i.i.i, align 8, !noalias !89
-  %.58.i.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.i.i.i.i
-  %.64.i.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.i.i.i.i
-  %.80.i.i.i.i.i = fadd contract double %.58.i.i.i.i.i, %.64.i.i.i.i.i
-  %.46.i.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.i.i.i.i
-  %.52.i.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.i.i.i.i
+B824.i.i.i.i:                                     ; preds = %B778.i.i.i.i, %B742.i.i.i.i
+  %.58.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 1.280000e+02
+  %.64.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 0.000000e+00
+  %.80.i.i.i.i.i = fadd contract double %.64.i.i.i.i.i, %.58.i.i.i.i.i
+  %.46.i.i.i.i.i = fmul contract double %.70.i80.i.i.i.i, 1.280000e+02
+  %.52.i.i.i.i.i = fmul contract double %.80.i77.i.i.i.i, 0.000000e+00
   %.70.i.i.i.i.i = fsub contract double %.46.i.i.i.i.i, %.52.i.i.i.i.i
-  store double %.70.i.i.i.i.i, ptr %33, align 8, !noalias !89
-  store double %.80.i.i.i.i.i, ptr %scevgep160.i.i.i.i, align 8, !noalias !89
-  %.1169.1.1.i.i.i.i = load double, ptr %scevgep157.i.i.i.i, align 8, !noalias !89
-  %.1171.1.1.i.i.i.i = load double, ptr %scevgep152.i.i.i.i, align 8, !noalias !89
-  %.58.i.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.1.i.i.i.i
-  %.64.i.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.1.i.i.i.i
-  %.80.i.1.i.i.i.i = fadd contract double %.58.i.1.i.i.i.i, %.64.i.1.i.i.i.i
-  %.46.i.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.1.i.i.i.i
-  %.52.i.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.1.i.i.i.i
-  %.70.i.1.i.i.i.i = fsub contract double %.46.i.1.i.i.i.i, %.52.i.1.i.i.i.i
-  store double %.70.i.1.i.i.i.i, ptr %scevgep157.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.1.i.i.i.i, ptr %scevgep152.i.i.i.i, align 8, !noalias !89
-  %.1169.1.128.i.i.i.i = load double, ptr %scevgep159.1.i.i.i.i, align 8, !noalias !89
-  %.1171.1.129.i.i.i.i = load double, ptr %scevgep160.1.i.i.i.i, align 8, !noalias !89
-  %.58.i.130.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.128.i.i.i.i
-  %.64.i.131.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.129.i.i.i.i
-  %.80.i.132.i.i.i.i = fadd contract double %.58.i.130.i.i.i.i, %.64.i.131.i.i.i.i
-  %.46.i.133.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.128.i.i.i.i
-  %.52.i.134.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.129.i.i.i.i
-  %.70.i.135.i.i.i.i = fsub contract double %.46.i.133.i.i.i.i, %.52.i.134.i.i.i.i
-  store double %.70.i.135.i.i.i.i, ptr %scevgep159.1.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.132.i.i.i.i, ptr %scevgep160.1.i.i.i.i, align 8, !noalias !89
-  %.1169.1.1.1.i.i.i.i = load double, ptr %scevgep157.1.i.i.i.i, align 8, !noalias !89
-  %.1171.1.1.1.i.i.i.i = load double, ptr %scevgep158.1.i.i.i.i, align 8, !noalias !89
-  %.58.i.1.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.1.1.i.i.i.i
-  %.64.i.1.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.1.1.i.i.i.i
-  %.80.i.1.1.i.i.i.i = fadd contract double %.58.i.1.1.i.i.i.i, %.64.i.1.1.i.i.i.i
-  %.46.i.1.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.1.1.i.i.i.i
-  %.52.i.1.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.1.1.i.i.i.i
-  %.70.i.1.1.i.i.i.i = fsub contract double %.46.i.1.1.i.i.i.i, %.52.i.1.1.i.i.i.i
-  store double %.70.i.1.1.i.i.i.i, ptr %scevgep157.1.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.1.1.i.i.i.i, ptr %scevgep158.1.i.i.i.i, align 8, !noalias !89
-  %.1169.1.2.i.i.i.i = load double, ptr %scevgep159.2.i.i.i.i, align 8, !noalias !89
-  %.1171.1.2.i.i.i.i = load double, ptr %scevgep160.2.i.i.i.i, align 8, !noalias !89
-  %.58.i.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.2.i.i.i.i
-  %.64.i.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.2.i.i.i.i
-  %.80.i.2.i.i.i.i = fadd contract double %.58.i.2.i.i.i.i, %.64.i.2.i.i.i.i
-  %.46.i.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.2.i.i.i.i
-  %.52.i.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.2.i.i.i.i
-  %.70.i.2.i.i.i.i = fsub contract double %.46.i.2.i.i.i.i, %.52.i.2.i.i.i.i
-  store double %.70.i.2.i.i.i.i, ptr %scevgep159.2.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.2.i.i.i.i, ptr %scevgep160.2.i.i.i.i, align 8, !noalias !89
-  %.1169.1.1.2.i.i.i.i = load double, ptr %.890.i.i.i.i.i, align 8, !noalias !89
-  %.1171.1.1.2.i.i.i.i = load double, ptr %.893.i.i.i.i.i, align 8, !noalias !89
-  %.58.i.1.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.1.2.i.i.i.i
-  %.64.i.1.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.1.2.i.i.i.i
-  %.80.i.1.2.i.i.i.i = fadd contract double %.58.i.1.2.i.i.i.i, %.64.i.1.2.i.i.i.i
-  %.46.i.1.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.1.2.i.i.i.i
-  %.52.i.1.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.1.2.i.i.i.i
-  %.70.i.1.2.i.i.i.i = fsub contract double %.46.i.1.2.i.i.i.i, %.52.i.1.2.i.i.i.i
-  store double %.70.i.1.2.i.i.i.i, ptr %.890.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.1.2.i.i.i.i, ptr %.893.i.i.i.i.i, align 8, !noalias !89
-  %.1169.1.3.i.i.i.i = load double, ptr %.1502.i.i.i.i.i, align 8, !noalias !89
-  %.1171.1.3.i.i.i.i = load double, ptr %.1505.i.i.i.i.i, align 8, !noalias !89
-  %.58.i.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.3.i.i.i.i
-  %.64.i.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.3.i.i.i.i
-  %.80.i.3.i.i.i.i = fadd contract double %.58.i.3.i.i.i.i, %.64.i.3.i.i.i.i
-  %.46.i.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.3.i.i.i.i
-  %.52.i.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.3.i.i.i.i
-  %.70.i.3.i.i.i.i = fsub contract double %.46.i.3.i.i.i.i, %.52.i.3.i.i.i.i
-  store double %.70.i.3.i.i.i.i, ptr %.1502.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.3.i.i.i.i, ptr %.1505.i.i.i.i.i, align 8, !noalias !89
-  %.1169.1.1.3.i.i.i.i = load double, ptr %scevgep157.3.i.i.i.i, align 8, !noalias !89
-  %.1171.1.1.3.i.i.i.i = load double, ptr %scevgep158.3.i.i.i.i, align 8, !noalias !89
-  %.58.i.1.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.1.3.i.i.i.i
-  %.64.i.1.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.1.3.i.i.i.i
-  %.80.i.1.3.i.i.i.i = fadd contract double %.58.i.1.3.i.i.i.i, %.64.i.1.3.i.i.i.i
-  %.46.i.1.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.1.3.i.i.i.i
-  %.52.i.1.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.1.3.i.i.i.i
-  %.70.i.1.3.i.i.i.i = fsub contract double %.46.i.1.3.i.i.i.i, %.52.i.1.3.i.i.i.i
-  store double %.70.i.1.3.i.i.i.i, ptr %scevgep157.3.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.1.3.i.i.i.i, ptr %scevgep158.3.i.i.i.i, align 8, !noalias !89
-  %.1169.1.4.i.i.i.i = load double, ptr %.1947.i.i.i.i.i, align 8, !noalias !89
-  %.1171.1.4.i.i.i.i = load double, ptr %.1950.i.i.i.i.i, align 8, !noalias !89
-  %.58.i.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.4.i.i.i.i
-  %.64.i.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.4.i.i.i.i
-  %.80.i.4.i.i.i.i = fadd contract double %.58.i.4.i.i.i.i, %.64.i.4.i.i.i.i
-  %.46.i.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.4.i.i.i.i
-  %.52.i.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.4.i.i.i.i
-  %.70.i.4.i.i.i.i = fsub contract double %.46.i.4.i.i.i.i, %.52.i.4.i.i.i.i
-  store double %.70.i.4.i.i.i.i, ptr %.1947.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.4.i.i.i.i, ptr %.1950.i.i.i.i.i, align 8, !noalias !89
-  %.1169.1.1.4.i.i.i.i = load double, ptr %.3047.i.i.i.i.i, align 8, !noalias !89
-  %.1171.1.1.4.i.i.i.i = load double, ptr %.3050.i.i.i.i.i, align 8, !noalias !89
-  %.58.i.1.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.1.4.i.i.i.i
-  %.64.i.1.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.1.4.i.i.i.i
-  %.80.i.1.4.i.i.i.i = fadd contract double %.58.i.1.4.i.i.i.i, %.64.i.1.4.i.i.i.i
-  %.46.i.1.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.1.4.i.i.i.i
-  %.52.i.1.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.1.4.i.i.i.i
-  %.70.i.1.4.i.i.i.i = fsub contract double %.46.i.1.4.i.i.i.i, %.52.i.1.4.i.i.i.i
-  store double %.70.i.1.4.i.i.i.i, ptr %.3047.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.1.4.i.i.i.i, ptr %.3050.i.i.i.i.i, align 8, !noalias !89
-  %.1169.1.5.i.i.i.i = load double, ptr %.4246.i.i.i.i.i, align 8, !noalias !89
-  %.1171.1.5.i.i.i.i = load double, ptr %.4249.i.i.i.i.i, align 8, !noalias !89
-  %.58.i.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.5.i.i.i.i
-  %.64.i.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.5.i.i.i.i
-  %.80.i.5.i.i.i.i = fadd contract double %.58.i.5.i.i.i.i, %.64.i.5.i.i.i.i
-  %.46.i.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.5.i.i.i.i
-  %.52.i.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.5.i.i.i.i
-  %.70.i.5.i.i.i.i = fsub contract double %.46.i.5.i.i.i.i, %.52.i.5.i.i.i.i
-  store double %.70.i.5.i.i.i.i, ptr %.4246.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.5.i.i.i.i, ptr %.4249.i.i.i.i.i, align 8, !noalias !89
-  %.1169.1.1.5.i.i.i.i = load double, ptr %.4963.i.i.i.i.i, align 8, !noalias !89
-  %.1171.1.1.5.i.i.i.i = load double, ptr %.4966.i.i.i.i.i, align 8, !noalias !89
-  %.58.i.1.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.1.5.i.i.i.i
-  %.64.i.1.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.1.5.i.i.i.i
-  %.80.i.1.5.i.i.i.i = fadd contract double %.58.i.1.5.i.i.i.i, %.64.i.1.5.i.i.i.i
-  %.46.i.1.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.1.5.i.i.i.i
-  %.52.i.1.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.1.5.i.i.i.i
-  %.70.i.1.5.i.i.i.i = fsub contract double %.46.i.1.5.i.i.i.i, %.52.i.1.5.i.i.i.i
-  store double %.70.i.1.5.i.i.i.i, ptr %.4963.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.1.5.i.i.i.i, ptr %.4966.i.i.i.i.i, align 8, !noalias !89
-  %.1169.1.6.i.i.i.i = load double, ptr %scevgep159.6.i.i.i.i, align 8, !noalias !89
-  %.1171.1.6.i.i.i.i = load double, ptr %scevgep160.6.i.i.i.i, align 8, !noalias !89
-  %.58.i.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.6.i.i.i.i
-  %.64.i.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.6.i.i.i.i
-  %.80.i.6.i.i.i.i = fadd contract double %.58.i.6.i.i.i.i, %.64.i.6.i.i.i.i
-  %.46.i.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.6.i.i.i.i
-  %.52.i.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.6.i.i.i.i
-  %.70.i.6.i.i.i.i = fsub contract double %.46.i.6.i.i.i.i, %.52.i.6.i.i.i.i
-  store double %.70.i.6.i.i.i.i, ptr %scevgep159.6.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.6.i.i.i.i, ptr %scevgep160.6.i.i.i.i, align 8, !noalias !89
-  %.1169.1.1.6.i.i.i.i = load double, ptr %scevgep157.6.i.i.i.i, align 8, !noalias !89
-  %.1171.1.1.6.i.i.i.i = load double, ptr %scevgep158.6.i.i.i.i, align 8, !noalias !89
-  %.58.i.1.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.1.6.i.i.i.i
-  %.64.i.1.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.1.6.i.i.i.i
-  %.80.i.1.6.i.i.i.i = fadd contract double %.58.i.1.6.i.i.i.i, %.64.i.1.6.i.i.i.i
-  %.46.i.1.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.1.6.i.i.i.i
-  %.52.i.1.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.1.6.i.i.i.i
-  %.70.i.1.6.i.i.i.i = fsub contract double %.46.i.1.6.i.i.i.i, %.52.i.1.6.i.i.i.i
-  store double %.70.i.1.6.i.i.i.i, ptr %scevgep157.6.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.1.6.i.i.i.i, ptr %scevgep158.6.i.i.i.i, align 8, !noalias !89
-  %.1169.1.7.i.i.i.i = load double, ptr %scevgep159.7.i.i.i.i, align 8, !noalias !89
-  %.1171.1.7.i.i.i.i = load double, ptr %scevgep160.7.i.i.i.i, align 8, !noalias !89
-  %.58.i.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.7.i.i.i.i
-  %.64.i.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.7.i.i.i.i
-  %.80.i.7.i.i.i.i = fadd contract double %.58.i.7.i.i.i.i, %.64.i.7.i.i.i.i
-  %.46.i.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.7.i.i.i.i
-  %.52.i.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.7.i.i.i.i
-  %.70.i.7.i.i.i.i = fsub contract double %.46.i.7.i.i.i.i, %.52.i.7.i.i.i.i
-  store double %.70.i.7.i.i.i.i, ptr %scevgep159.7.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.7.i.i.i.i, ptr %scevgep160.7.i.i.i.i, align 8, !noalias !89
-  %.1169.1.1.7.i.i.i.i = load double, ptr %scevgep157.7.i.i.i.i, align 8, !noalias !89
-  %.1171.1.1.7.i.i.i.i = load double, ptr %scevgep158.7.i.i.i.i, align 8, !noalias !89
-  %.58.i.1.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.1.1.7.i.i.i.i
-  %.64.i.1.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.1.1.7.i.i.i.i
-  %.80.i.1.7.i.i.i.i = fadd contract double %.58.i.1.7.i.i.i.i, %.64.i.1.7.i.i.i.i
-  %.46.i.1.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.1.1.7.i.i.i.i
-  %.52.i.1.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.1.1.7.i.i.i.i
-  %.70.i.1.7.i.i.i.i = fsub contract double %.46.i.1.7.i.i.i.i, %.52.i.1.7.i.i.i.i
-  store double %.70.i.1.7.i.i.i.i, ptr %scevgep157.7.i.i.i.i, align 8, !noalias !89
-  store double %.80.i.1.7.i.i.i.i, ptr %scevgep158.7.i.i.i.i, align 8, !noalias !89
-  %.1169.2.i.i.i.i = load double, ptr %34, align 8, !noalias !89
-  %.1171.2.i.i.i.i = load double, ptr %scevgep151.i.i.i.i, align 8, !noalias !89
-  %.58.i10.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.i.i.i.i
-  %.64.i11.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.i.i.i.i
-  %.80.i12.i.i.i.i = fadd contract double %.58.i10.i.i.i.i, %.64.i11.i.i.i.i
-  %.46.i13.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.i.i.i.i
-  %.52.i14.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.i.i.i.i
-  %.70.i15.i.i.i.i = fsub contract double %.46.i13.i.i.i.i, %.52.i14.i.i.i.i
-  store double %.70.i15.i.i.i.i, ptr %34, align 8, !noalias !89
-  store double %.80.i12.i.i.i.i, ptr %scevgep151.i.i.i.i, align 8, !noalias !89
-  %.1169.2.1.i.i.i.i = load double, ptr %scevgep148.i.i.i.i, align 8, !noalias !89
-  %.1171.2.1.i.i.i.i = load double, ptr %scevgep.i.i.i.i, align 8, !noalias !89
-  %.58.i10.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.1.i.i.i.i
-  %.64.i11.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.1.i.i.i.i
-  %.80.i12.1.i.i.i.i = fadd contract double %.58.i10.1.i.i.i.i, %.64.i11.1.i.i.i.i
-  %.46.i13.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.1.i.i.i.i
-  %.52.i14.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.1.i.i.i.i
-  %.70.i15.1.i.i.i.i = fsub contract double %.46.i13.1.i.i.i.i, %.52.i14.1.i.i.i.i
-  store double %.70.i15.1.i.i.i.i, ptr %scevgep148.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.1.i.i.i.i, ptr %scevgep.i.i.i.i, align 8, !noalias !89
-  %.1169.2.136.i.i.i.i = load double, ptr %scevgep150.1.i.i.i.i, align 8, !noalias !89
-  %.1171.2.137.i.i.i.i = load double, ptr %scevgep151.1.i.i.i.i, align 8, !noalias !89
-  %.58.i10.138.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.136.i.i.i.i
-  %.64.i11.139.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.137.i.i.i.i
-  %.80.i12.140.i.i.i.i = fadd contract double %.58.i10.138.i.i.i.i, %.64.i11.139.i.i.i.i
-  %.46.i13.141.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.136.i.i.i.i
-  %.52.i14.142.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.137.i.i.i.i
-  %.70.i15.143.i.i.i.i = fsub contract double %.46.i13.141.i.i.i.i, %.52.i14.142.i.i.i.i
-  store double %.70.i15.143.i.i.i.i, ptr %scevgep150.1.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.140.i.i.i.i, ptr %scevgep151.1.i.i.i.i, align 8, !noalias !89
-  %.1169.2.1.1.i.i.i.i = load double, ptr %scevgep148.1.i.i.i.i, align 8, !noalias !89
-  %.1171.2.1.1.i.i.i.i = load double, ptr %scevgep149.1.i.i.i.i, align 8, !noalias !89
-  %.58.i10.1.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.1.1.i.i.i.i
-  %.64.i11.1.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.1.1.i.i.i.i
-  %.80.i12.1.1.i.i.i.i = fadd contract double %.58.i10.1.1.i.i.i.i, %.64.i11.1.1.i.i.i.i
-  %.46.i13.1.1.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.1.1.i.i.i.i
-  %.52.i14.1.1.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.1.1.i.i.i.i
-  %.70.i15.1.1.i.i.i.i = fsub contract double %.46.i13.1.1.i.i.i.i, %.52.i14.1.1.i.i.i.i
-  store double %.70.i15.1.1.i.i.i.i, ptr %scevgep148.1.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.1.1.i.i.i.i, ptr %scevgep149.1.i.i.i.i, align 8, !noalias !89
-  %.1169.2.2.i.i.i.i = load double, ptr %scevgep150.2.i.i.i.i, align 8, !noalias !89
-  %.1171.2.2.i.i.i.i = load double, ptr %scevgep151.2.i.i.i.i, align 8, !noalias !89
-  %.58.i10.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.2.i.i.i.i
-  %.64.i11.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.2.i.i.i.i
-  %.80.i12.2.i.i.i.i = fadd contract double %.58.i10.2.i.i.i.i, %.64.i11.2.i.i.i.i
-  %.46.i13.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.2.i.i.i.i
-  %.52.i14.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.2.i.i.i.i
-  %.70.i15.2.i.i.i.i = fsub contract double %.46.i13.2.i.i.i.i, %.52.i14.2.i.i.i.i
-  store double %.70.i15.2.i.i.i.i, ptr %scevgep150.2.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.2.i.i.i.i, ptr %scevgep151.2.i.i.i.i, align 8, !noalias !89
-  %.1169.2.1.2.i.i.i.i = load double, ptr %scevgep148.2.i.i.i.i, align 8, !noalias !89
-  %.1171.2.1.2.i.i.i.i = load double, ptr %scevgep149.2.i.i.i.i, align 8, !noalias !89
-  %.58.i10.1.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.1.2.i.i.i.i
-  %.64.i11.1.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.1.2.i.i.i.i
-  %.80.i12.1.2.i.i.i.i = fadd contract double %.58.i10.1.2.i.i.i.i, %.64.i11.1.2.i.i.i.i
-  %.46.i13.1.2.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.1.2.i.i.i.i
-  %.52.i14.1.2.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.1.2.i.i.i.i
-  %.70.i15.1.2.i.i.i.i = fsub contract double %.46.i13.1.2.i.i.i.i, %.52.i14.1.2.i.i.i.i
-  store double %.70.i15.1.2.i.i.i.i, ptr %scevgep148.2.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.1.2.i.i.i.i, ptr %scevgep149.2.i.i.i.i, align 8, !noalias !89
-  %.1169.2.3.i.i.i.i = load double, ptr %scevgep150.3.i.i.i.i, align 8, !noalias !89
-  %.1171.2.3.i.i.i.i = load double, ptr %scevgep151.3.i.i.i.i, align 8, !noalias !89
-  %.58.i10.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.3.i.i.i.i
-  %.64.i11.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.3.i.i.i.i
-  %.80.i12.3.i.i.i.i = fadd contract double %.58.i10.3.i.i.i.i, %.64.i11.3.i.i.i.i
-  %.46.i13.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.3.i.i.i.i
-  %.52.i14.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.3.i.i.i.i
-  %.70.i15.3.i.i.i.i = fsub contract double %.46.i13.3.i.i.i.i, %.52.i14.3.i.i.i.i
-  store double %.70.i15.3.i.i.i.i, ptr %scevgep150.3.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.3.i.i.i.i, ptr %scevgep151.3.i.i.i.i, align 8, !noalias !89
-  %.1169.2.1.3.i.i.i.i = load double, ptr %scevgep148.3.i.i.i.i, align 8, !noalias !89
-  %.1171.2.1.3.i.i.i.i = load double, ptr %scevgep149.3.i.i.i.i, align 8, !noalias !89
-  %.58.i10.1.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.1.3.i.i.i.i
-  %.64.i11.1.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.1.3.i.i.i.i
-  %.80.i12.1.3.i.i.i.i = fadd contract double %.58.i10.1.3.i.i.i.i, %.64.i11.1.3.i.i.i.i
-  %.46.i13.1.3.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.1.3.i.i.i.i
-  %.52.i14.1.3.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.1.3.i.i.i.i
-  %.70.i15.1.3.i.i.i.i = fsub contract double %.46.i13.1.3.i.i.i.i, %.52.i14.1.3.i.i.i.i
-  store double %.70.i15.1.3.i.i.i.i, ptr %scevgep148.3.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.1.3.i.i.i.i, ptr %scevgep149.3.i.i.i.i, align 8, !noalias !89
-  %.1169.2.4.i.i.i.i = load double, ptr %.2435.i.i.i.i.i, align 8, !noalias !89
-  %.1171.2.4.i.i.i.i = load double, ptr %.2438.i.i.i.i.i, align 8, !noalias !89
-  %.58.i10.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.4.i.i.i.i
-  %.64.i11.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.4.i.i.i.i
-  %.80.i12.4.i.i.i.i = fadd contract double %.58.i10.4.i.i.i.i, %.64.i11.4.i.i.i.i
-  %.46.i13.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.4.i.i.i.i
-  %.52.i14.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.4.i.i.i.i
-  %.70.i15.4.i.i.i.i = fsub contract double %.46.i13.4.i.i.i.i, %.52.i14.4.i.i.i.i
-  store double %.70.i15.4.i.i.i.i, ptr %.2435.i.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.4.i.i.i.i, ptr %.2438.i.i.i.i.i, align 8, !noalias !89
-  %.1169.2.1.4.i.i.i.i = load double, ptr %scevgep148.4.i.i.i.i, align 8, !noalias !89
-  %.1171.2.1.4.i.i.i.i = load double, ptr %scevgep149.4.i.i.i.i, align 8, !noalias !89
-  %.58.i10.1.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.1.4.i.i.i.i
-  %.64.i11.1.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.1.4.i.i.i.i
-  %.80.i12.1.4.i.i.i.i = fadd contract double %.58.i10.1.4.i.i.i.i, %.64.i11.1.4.i.i.i.i
-  %.46.i13.1.4.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.1.4.i.i.i.i
-  %.52.i14.1.4.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.1.4.i.i.i.i
-  %.70.i15.1.4.i.i.i.i = fsub contract double %.46.i13.1.4.i.i.i.i, %.52.i14.1.4.i.i.i.i
-  store double %.70.i15.1.4.i.i.i.i, ptr %scevgep148.4.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.1.4.i.i.i.i, ptr %scevgep149.4.i.i.i.i, align 8, !noalias !89
-  %.1169.2.5.i.i.i.i = load double, ptr %scevgep150.5.i.i.i.i, align 8, !noalias !89
-  %.1171.2.5.i.i.i.i = load double, ptr %scevgep151.5.i.i.i.i, align 8, !noalias !89
-  %.58.i10.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.5.i.i.i.i
-  %.64.i11.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.5.i.i.i.i
-  %.80.i12.5.i.i.i.i = fadd contract double %.58.i10.5.i.i.i.i, %.64.i11.5.i.i.i.i
-  %.46.i13.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.5.i.i.i.i
-  %.52.i14.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.5.i.i.i.i
-  %.70.i15.5.i.i.i.i = fsub contract double %.46.i13.5.i.i.i.i, %.52.i14.5.i.i.i.i
-  store double %.70.i15.5.i.i.i.i, ptr %scevgep150.5.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.5.i.i.i.i, ptr %scevgep151.5.i.i.i.i, align 8, !noalias !89
-  %.1169.2.1.5.i.i.i.i = load double, ptr %scevgep148.5.i.i.i.i, align 8, !noalias !89
-  %.1171.2.1.5.i.i.i.i = load double, ptr %scevgep149.5.i.i.i.i, align 8, !noalias !89
-  %.58.i10.1.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.1.5.i.i.i.i
-  %.64.i11.1.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.1.5.i.i.i.i
-  %.80.i12.1.5.i.i.i.i = fadd contract double %.58.i10.1.5.i.i.i.i, %.64.i11.1.5.i.i.i.i
-  %.46.i13.1.5.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.1.5.i.i.i.i
-  %.52.i14.1.5.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.1.5.i.i.i.i
-  %.70.i15.1.5.i.i.i.i = fsub contract double %.46.i13.1.5.i.i.i.i, %.52.i14.1.5.i.i.i.i
-  store double %.70.i15.1.5.i.i.i.i, ptr %scevgep148.5.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.1.5.i.i.i.i, ptr %scevgep149.5.i.i.i.i, align 8, !noalias !89
-  %.1169.2.6.i.i.i.i = load double, ptr %scevgep150.6.i.i.i.i, align 8, !noalias !89
-  %.1171.2.6.i.i.i.i = load double, ptr %scevgep151.6.i.i.i.i, align 8, !noalias !89
-  %.58.i10.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.6.i.i.i.i
-  %.64.i11.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.6.i.i.i.i
-  %.80.i12.6.i.i.i.i = fadd contract double %.58.i10.6.i.i.i.i, %.64.i11.6.i.i.i.i
-  %.46.i13.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.6.i.i.i.i
-  %.52.i14.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.6.i.i.i.i
-  %.70.i15.6.i.i.i.i = fsub contract double %.46.i13.6.i.i.i.i, %.52.i14.6.i.i.i.i
-  store double %.70.i15.6.i.i.i.i, ptr %scevgep150.6.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.6.i.i.i.i, ptr %scevgep151.6.i.i.i.i, align 8, !noalias !89
-  %.1169.2.1.6.i.i.i.i = load double, ptr %scevgep148.6.i.i.i.i, align 8, !noalias !89
-  %.1171.2.1.6.i.i.i.i = load double, ptr %scevgep149.6.i.i.i.i, align 8, !noalias !89
-  %.58.i10.1.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.1.6.i.i.i.i
-  %.64.i11.1.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.1.6.i.i.i.i
-  %.80.i12.1.6.i.i.i.i = fadd contract double %.58.i10.1.6.i.i.i.i, %.64.i11.1.6.i.i.i.i
-  %.46.i13.1.6.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.1.6.i.i.i.i
-  %.52.i14.1.6.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.1.6.i.i.i.i
-  %.70.i15.1.6.i.i.i.i = fsub contract double %.46.i13.1.6.i.i.i.i, %.52.i14.1.6.i.i.i.i
-  store double %.70.i15.1.6.i.i.i.i, ptr %scevgep148.6.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.1.6.i.i.i.i, ptr %scevgep149.6.i.i.i.i, align 8, !noalias !89
-  %.1169.2.7.i.i.i.i = load double, ptr %scevgep150.7.i.i.i.i, align 8, !noalias !89
-  %.1171.2.7.i.i.i.i = load double, ptr %scevgep151.7.i.i.i.i, align 8, !noalias !89
-  %.58.i10.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.7.i.i.i.i
-  %.64.i11.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.7.i.i.i.i
-  %.80.i12.7.i.i.i.i = fadd contract double %.58.i10.7.i.i.i.i, %.64.i11.7.i.i.i.i
-  %.46.i13.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.7.i.i.i.i
-  %.52.i14.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.7.i.i.i.i
-  %.70.i15.7.i.i.i.i = fsub contract double %.46.i13.7.i.i.i.i, %.52.i14.7.i.i.i.i
-  store double %.70.i15.7.i.i.i.i, ptr %scevgep150.7.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.7.i.i.i.i, ptr %scevgep151.7.i.i.i.i, align 8, !noalias !89
-  %.1169.2.1.7.i.i.i.i = load double, ptr %scevgep148.7.i.i.i.i, align 8, !noalias !89
-  %.1171.2.1.7.i.i.i.i = load double, ptr %scevgep149.7.i.i.i.i, align 8, !noalias !89
-  %.58.i10.1.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1169.2.1.7.i.i.i.i
-  %.64.i11.1.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1171.2.1.7.i.i.i.i
-  %.80.i12.1.7.i.i.i.i = fadd contract double %.58.i10.1.7.i.i.i.i, %.64.i11.1.7.i.i.i.i
-  %.46.i13.1.7.i.i.i.i = fmul contract double %.850.sroa.0.0.i.i.i.i, %.1169.2.1.7.i.i.i.i
-  %.52.i14.1.7.i.i.i.i = fmul contract double %.850.sroa.4.0.i.i.i.i, %.1171.2.1.7.i.i.i.i
-  %.70.i15.1.7.i.i.i.i = fsub contract double %.46.i13.1.7.i.i.i.i, %.52.i14.1.7.i.i.i.i
-  store double %.70.i15.1.7.i.i.i.i, ptr %scevgep148.7.i.i.i.i, align 8, !noalias !89
-  store double %.80.i12.1.7.i.i.i.i, ptr %scevgep149.7.i.i.i.i, align 8, !noalias !89
-  br label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i
+  %.45.i82.i.i.i.i = tail call contract double @llvm.fabs.f64(double %.70.i.i.i.i.i)
+  %.50.i83.i.i.i.i = tail call contract double @llvm.fabs.f64(double %.80.i.i.i.i.i)
+  %.56.i84.i.i.i.i = fcmp contract ult double %.45.i82.i.i.i.i, %.50.i83.i.i.i.i
+  br i1 %.56.i84.i.i.i.i, label %B270.i106.i.i.i.i, label %B132.i85.i.i.i.i
 
-_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i: ; preds = %B576.if.i.i.i.i, %B282.endif.i102.i.i.i.i, %B174.endif.i79.i.i.i.i, %B282.i100.i.i.i.i, %B132.i77.i.i.i.i, %B282.endif.i219.i.i.i.i.i, %B174.endif.i196.i.i.i.i.i, %B282.i217.i.i.i.i.i, %B132.i194.i.i.i.i.i, %B282.endif.i.i.i.i.i.i, %B174.endif.i.i.i.i.i.i, %B282.i.i.i.i.i.i, %B132.i.i.i.i.i.i, %B282.endif.i45.i.i.i.i, %B174.endif.i22.i.i.i.i, %B282.i43.i.i.i.i, %B132.i20.i.i.i.i, %B282.endif.i.i.i.i.i, %B174.endif.i.i.i.i.i, %B282.i.i.i.i.i, %B132.i.i.i.i.i
-  %excinfo.5.1.i.i.i = phi ptr [ %excinfo.5.0.i.i.i, %B576.if.i.i.i.i ], [ null, %B174.endif.i196.i.i.i.i.i ], [ null, %B132.i20.i.i.i.i ], [ null, %B132.i.i.i.i.i ], [ null, %B282.endif.i.i.i.i.i ], [ null, %B282.i.i.i.i.i ], [ null, %B174.endif.i.i.i.i.i ], [ null, %B282.endif.i45.i.i.i.i ], [ null, %B282.i43.i.i.i.i ], [ null, %B174.endif.i22.i.i.i.i ], [ null, %B132.i194.i.i.i.i.i ], [ null, %B132.i.i.i.i.i.i ], [ null, %B282.endif.i.i.i.i.i.i ], [ null, %B282.i.i.i.i.i.i ], [ null, %B174.endif.i.i.i.i.i.i ], [ null, %B282.endif.i219.i.i.i.i.i ], [ null, %B282.i217.i.i.i.i.i ], [ null, %B282.endif.i102.i.i.i.i ], [ null, %B282.i100.i.i.i.i ], [ null, %B174.endif.i79.i.i.i.i ], [ null, %B132.i77.i.i.i.i ]
-  %cond.i.i.i = phi i1 [ true, %B576.if.i.i.i.i ], [ false, %B174.endif.i196.i.i.i.i.i ], [ false, %B132.i20.i.i.i.i ], [ false, %B132.i.i.i.i.i ], [ false, %B282.endif.i.i.i.i.i ], [ false, %B282.i.i.i.i.i ], [ false, %B174.endif.i.i.i.i.i ], [ false, %B282.endif.i45.i.i.i.i ], [ false, %B282.i43.i.i.i.i ], [ false, %B174.endif.i22.i.i.i.i ], [ false, %B132.i194.i.i.i.i.i ], [ false, %B132.i.i.i.i.i.i ], [ false, %B282.endif.i.i.i.i.i.i ], [ false, %B282.i.i.i.i.i.i ], [ false, %B174.endif.i.i.i.i.i.i ], [ false, %B282.endif.i219.i.i.i.i.i ], [ false, %B282.i217.i.i.i.i.i ], [ false, %B282.endif.i102.i.i.i.i ], [ false, %B282.i100.i.i.i.i ], [ false, %B174.endif.i79.i.i.i.i ], [ false, %B132.i77.i.i.i.i ]
-  %common.ret.op.i.i.i.i = phi i32 [ 0, %B576.if.i.i.i.i ], [ 1, %B174.endif.i196.i.i.i.i.i ], [ 1, %B132.i20.i.i.i.i ], [ 1, %B132.i.i.i.i.i ], [ 1, %B282.endif.i.i.i.i.i ], [ 1, %B282.i.i.i.i.i ], [ 1, %B174.endif.i.i.i.i.i ], [ 1, %B282.endif.i45.i.i.i.i ], [ 1, %B282.i43.i.i.i.i ], [ 1, %B174.endif.i22.i.i.i.i ], [ 1, %B132.i194.i.i.i.i.i ], [ 1, %B132.i.i.i.i.i.i ], [ 1, %B282.endif.i.i.i.i.i.i ], [ 1, %B282.i.i.i.i.i.i ], [ 1, %B174.endif.i.i.i.i.i.i ], [ 1, %B282.endif.i219.i.i.i.i.i ], [ 1, %B282.i217.i.i.i.i.i ], [ 1, %B282.endif.i102.i.i.i.i ], [ 1, %B282.i100.i.i.i.i ], [ 1, %B174.endif.i79.i.i.i.i ], [ 1, %B132.i77.i.i.i.i ]
-  call void @llvm.lifetime.end.p0(ptr nonnull %.568.i.i.i.i), !noalias !82
-  call void @llvm.lifetime.end.p0(ptr nonnull %.599.i.i.i.i), !noalias !82
-  call void @llvm.lifetime.end.p0(ptr nonnull %.632.i.i.i.i), !noalias !82
-  call void @llvm.lifetime.end.p0(ptr nonnull %.669.i.i.i.i), !noalias !82
-  call void @llvm.lifetime.end.p0(ptr nonnull %.737.i.i.i.i), !noalias !82
-  call void @llvm.lifetime.end.p0(ptr nonnull %.775.i.i.i.i), !noalias !82
-  br i1 %cond.i.i.i, label %B940.if.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, !prof !20
+B0.endif.i.i.i.i:                                 ; preds = %B282.endif.endif.i.i.i.i.i, %B174.endif.endif.i.i.i.i.i, %B270.i.i.i.i.i
+  %.91.sroa.4.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i.i ], [ %.171.i.i.i.i.i, %B282.endif.endif.i.i.i.i.i ], [ %.117.i.i.i.i.i, %B174.endif.endif.i.i.i.i.i ]
+  %.91.sroa.0.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i.i ], [ %.159.i.i.i.i.i, %B282.endif.endif.i.i.i.i.i ], [ %.105.i.i.i.i.i, %B174.endif.endif.i.i.i.i.i ]
+  br i1 %.56.i.i.i.i.i, label %B270.i56.i.i.i.i, label %B132.i35.i.i.i.i
 
-B940.if.i.i.i:                                    ; preds = %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i
-  %scevgep167.i.i.i = getelementptr i8, ptr %scevgep.i.i2.i, i64 %lsr.iv.i.i.i
-  %scevgep168.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -376
-  %.980.i.i.i = load double, ptr %.80.i1.i.i.i.i, align 8, !noalias !82
-  %.992.i.i.i = fdiv contract double %.980.i.i.i, 1.000000e-30
-  store double %.992.i.i.i, ptr %scevgep168.i.i.i, align 8, !noalias !82
-  %.980.1.i.i.i = load double, ptr %sunkaddr175.i.i.i.i, align 8, !noalias !82
-  %.992.1.i.i.i = fdiv contract double %.980.1.i.i.i, 1.000000e-30
-  %scevgep142.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -368
-  store double %.992.1.i.i.i, ptr %scevgep142.i.i.i, align 8, !noalias !82
-  %.980.2.i.i.i = load double, ptr %.225.i.i.i.i.i, align 8, !noalias !82
-  %.992.2.i.i.i = fdiv contract double %.980.2.i.i.i, 1.000000e-30
-  %scevgep139.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -360
-  store double %.992.2.i.i.i, ptr %scevgep139.i.i.i, align 8, !noalias !82
-  %.980.3.i.i.i = load double, ptr %.448.i.i.i.i.i, align 8, !noalias !82
-  %.992.3.i.i.i = fdiv contract double %.980.3.i.i.i, 1.000000e-30
-  %scevgep136.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -352
-  store double %.992.3.i.i.i, ptr %scevgep136.i.i.i, align 8, !noalias !82
-  %.980.4.i.i.i = load double, ptr %.591.i.i.i.i.i, align 8, !noalias !82
-  %.992.4.i.i.i = fdiv contract double %.980.4.i.i.i, 1.000000e-30
-  %scevgep133.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -344
-  store double %.992.4.i.i.i, ptr %scevgep133.i.i.i, align 8, !noalias !82
-  %.980.5.i.i.i = load double, ptr %sunkaddr175.2.i.i.i.i, align 8, !noalias !82
-  %.992.5.i.i.i = fdiv contract double %.980.5.i.i.i, 1.000000e-30
-  %scevgep130.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -336
-  store double %.992.5.i.i.i, ptr %scevgep130.i.i.i, align 8, !noalias !82
-  %.980.6.i.i.i = load double, ptr %.1114.i.i.i.i.i, align 8, !noalias !82
-  %.992.6.i.i.i = fdiv contract double %.980.6.i.i.i, 1.000000e-30
-  %scevgep127.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -328
-  store double %.992.6.i.i.i, ptr %scevgep127.i.i.i, align 8, !noalias !82
-  %.980.7.i.i.i = load double, ptr %.1648.i.i.i.i.i, align 8, !noalias !82
-  %.992.7.i.i.i = fdiv contract double %.980.7.i.i.i, 1.000000e-30
-  %scevgep124.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -320
-  store double %.992.7.i.i.i, ptr %scevgep124.i.i.i, align 8, !noalias !82
-  %.980.8.i.i.i = load double, ptr %sunkaddr171.4.i.i.i.i, align 8, !noalias !82
-  %.992.8.i.i.i = fdiv contract double %.980.8.i.i.i, 1.000000e-30
-  %scevgep121.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -312
-  store double %.992.8.i.i.i, ptr %scevgep121.i.i.i, align 8, !noalias !82
-  %.980.9.i.i.i = load double, ptr %.2659.i.i.i.i.i, align 8, !noalias !82
-  %.992.9.i.i.i = fdiv contract double %.980.9.i.i.i, 1.000000e-30
-  %scevgep118.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -304
-  store double %.992.9.i.i.i, ptr %scevgep118.i.i.i, align 8, !noalias !82
-  %.980.10.i.i.i = load double, ptr %.3497.i.i.i.i.i, align 8, !noalias !82
-  %.992.10.i.i.i = fdiv contract double %.980.10.i.i.i, 1.000000e-30
-  %scevgep115.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -296
-  store double %.992.10.i.i.i, ptr %scevgep115.i.i.i, align 8, !noalias !82
-  %.980.11.i.i.i = load double, ptr %.4478.i.i.i.i.i, align 8, !noalias !82
-  %.992.11.i.i.i = fdiv contract double %.980.11.i.i.i, 1.000000e-30
-  %scevgep112.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -288
-  store double %.992.11.i.i.i, ptr %scevgep112.i.i.i, align 8, !noalias !82
-  %.980.12.i.i.i = load double, ptr %sunkaddr171.6.i.i.i.i, align 8, !noalias !82
-  %.992.12.i.i.i = fdiv contract double %.980.12.i.i.i, 1.000000e-30
-  %scevgep110.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -280
-  store double %.992.12.i.i.i, ptr %scevgep110.i.i.i, align 8, !noalias !82
-  %.980.13.i.i.i = load double, ptr %sunkaddr175.6.i.i.i.i, align 8, !noalias !82
-  %.992.13.i.i.i = fdiv contract double %.980.13.i.i.i, 1.000000e-30
-  %scevgep107.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -272
-  store double %.992.13.i.i.i, ptr %scevgep107.i.i.i, align 8, !noalias !82
-  %.980.14.i.i.i = load double, ptr %sunkaddr171.7.i.i.i.i, align 8, !noalias !82
-  %.992.14.i.i.i = fdiv contract double %.980.14.i.i.i, 1.000000e-30
-  %scevgep104.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -264
-  store double %.992.14.i.i.i, ptr %scevgep104.i.i.i, align 8, !noalias !82
-  %.980.15.i.i.i = load double, ptr %sunkaddr175.7.i.i.i.i, align 8, !noalias !82
-  %.992.15.i.i.i = fdiv contract double %.980.15.i.i.i, 1.000000e-30
-  %scevgep99.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -256
-  store double %.992.15.i.i.i, ptr %scevgep99.i.i.i, align 8, !noalias !82
-  %.980.170.i.i.i = load double, ptr %scevgep160.i.i.i.i, align 8, !noalias !82
-  %.992.171.i.i.i = fdiv contract double %.980.170.i.i.i, 1.000000e-30
-  %scevgep101.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -248
-  store double %.992.171.i.i.i, ptr %scevgep101.i.i.i, align 8, !noalias !82
-  %.980.1.1.i.i.i = load double, ptr %scevgep152.i.i.i.i, align 8, !noalias !82
-  %.992.1.1.i.i.i = fdiv contract double %.980.1.1.i.i.i, 1.000000e-30
-  %scevgep96.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -240
-  store double %.992.1.1.i.i.i, ptr %scevgep96.i.i.i, align 8, !noalias !82
-  %.980.2.1.i.i.i = load double, ptr %scevgep160.1.i.i.i.i, align 8, !noalias !82
-  %.992.2.1.i.i.i = fdiv contract double %.980.2.1.i.i.i, 1.000000e-30
-  %scevgep93.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -232
-  store double %.992.2.1.i.i.i, ptr %scevgep93.i.i.i, align 8, !noalias !82
-  %.980.3.1.i.i.i = load double, ptr %scevgep158.1.i.i.i.i, align 8, !noalias !82
-  %.992.3.1.i.i.i = fdiv contract double %.980.3.1.i.i.i, 1.000000e-30
-  %scevgep90.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -224
-  store double %.992.3.1.i.i.i, ptr %scevgep90.i.i.i, align 8, !noalias !82
-  %.980.4.1.i.i.i = load double, ptr %scevgep160.2.i.i.i.i, align 8, !noalias !82
-  %.992.4.1.i.i.i = fdiv contract double %.980.4.1.i.i.i, 1.000000e-30
-  %scevgep87.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -216
-  store double %.992.4.1.i.i.i, ptr %scevgep87.i.i.i, align 8, !noalias !82
-  %.980.5.1.i.i.i = load double, ptr %.893.i.i.i.i.i, align 8, !noalias !82
-  %.992.5.1.i.i.i = fdiv contract double %.980.5.1.i.i.i, 1.000000e-30
-  %scevgep84.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -208
-  store double %.992.5.1.i.i.i, ptr %scevgep84.i.i.i, align 8, !noalias !82
-  %.980.6.1.i.i.i = load double, ptr %.1505.i.i.i.i.i, align 8, !noalias !82
-  %.992.6.1.i.i.i = fdiv contract double %.980.6.1.i.i.i, 1.000000e-30
-  %scevgep81.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -200
-  store double %.992.6.1.i.i.i, ptr %scevgep81.i.i.i, align 8, !noalias !82
-  %.980.7.1.i.i.i = load double, ptr %scevgep158.3.i.i.i.i, align 8, !noalias !82
-  %.992.7.1.i.i.i = fdiv contract double %.980.7.1.i.i.i, 1.000000e-30
-  %scevgep78.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -192
-  store double %.992.7.1.i.i.i, ptr %scevgep78.i.i.i, align 8, !noalias !82
-  %.980.8.1.i.i.i = load double, ptr %.1950.i.i.i.i.i, align 8, !noalias !82
-  %.992.8.1.i.i.i = fdiv contract double %.980.8.1.i.i.i, 1.000000e-30
-  %scevgep75.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -184
-  store double %.992.8.1.i.i.i, ptr %scevgep75.i.i.i, align 8, !noalias !82
-  %.980.9.1.i.i.i = load double, ptr %.3050.i.i.i.i.i, align 8, !noalias !82
-  %.992.9.1.i.i.i = fdiv contract double %.980.9.1.i.i.i, 1.000000e-30
-  %scevgep72.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -176
-  store double %.992.9.1.i.i.i, ptr %scevgep72.i.i.i, align 8, !noalias !82
-  %.980.10.1.i.i.i = load double, ptr %.4249.i.i.i.i.i, align 8, !noalias !82
-  %.992.10.1.i.i.i = fdiv contract double %.980.10.1.i.i.i, 1.000000e-30
-  %scevgep69.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -168
-  store double %.992.10.1.i.i.i, ptr %scevgep69.i.i.i, align 8, !noalias !82
-  %.980.11.1.i.i.i = load double, ptr %.4966.i.i.i.i.i, align 8, !noalias !82
-  %.992.11.1.i.i.i = fdiv contract double %.980.11.1.i.i.i, 1.000000e-30
-  %scevgep66.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -160
-  store double %.992.11.1.i.i.i, ptr %scevgep66.i.i.i, align 8, !noalias !82
-  %.980.12.1.i.i.i = load double, ptr %scevgep160.6.i.i.i.i, align 8, !noalias !82
-  %.992.12.1.i.i.i = fdiv contract double %.980.12.1.i.i.i, 1.000000e-30
-  %scevgep62.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -152
-  store double %.992.12.1.i.i.i, ptr %scevgep62.i.i.i, align 8, !noalias !82
-  %.980.13.1.i.i.i = load double, ptr %scevgep158.6.i.i.i.i, align 8, !noalias !82
-  %.992.13.1.i.i.i = fdiv contract double %.980.13.1.i.i.i, 1.000000e-30
-  %scevgep59.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -144
-  store double %.992.13.1.i.i.i, ptr %scevgep59.i.i.i, align 8, !noalias !82
-  %.980.14.1.i.i.i = load double, ptr %scevgep160.7.i.i.i.i, align 8, !noalias !82
-  %.992.14.1.i.i.i = fdiv contract double %.980.14.1.i.i.i, 1.000000e-30
-  %scevgep56.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -136
-  store double %.992.14.1.i.i.i, ptr %scevgep56.i.i.i, align 8, !noalias !82
-  %.980.15.1.i.i.i = load double, ptr %scevgep158.7.i.i.i.i, align 8, !noalias !82
-  %.992.15.1.i.i.i = fdiv contract double %.980.15.1.i.i.i, 1.000000e-30
-  %scevgep52.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -128
-  store double %.992.15.1.i.i.i, ptr %scevgep52.i.i.i, align 8, !noalias !82
-  %.980.273.i.i.i = load double, ptr %scevgep151.i.i.i.i, align 8, !noalias !82
-  %.992.274.i.i.i = fdiv contract double %.980.273.i.i.i, 1.000000e-30
-  %scevgep54.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -120
-  store double %.992.274.i.i.i, ptr %scevgep54.i.i.i, align 8, !noalias !82
-  %.980.1.2.i.i.i = load double, ptr %scevgep.i.i.i.i, align 8, !noalias !82
-  %.992.1.2.i.i.i = fdiv contract double %.980.1.2.i.i.i, 1.000000e-30
-  %scevgep48.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -112
-  store double %.992.1.2.i.i.i, ptr %scevgep48.i.i.i, align 8, !noalias !82
-  %.980.2.2.i.i.i = load double, ptr %scevgep151.1.i.i.i.i, align 8, !noalias !82
-  %.992.2.2.i.i.i = fdiv contract double %.980.2.2.i.i.i, 1.000000e-30
-  %scevgep45.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -104
-  store double %.992.2.2.i.i.i, ptr %scevgep45.i.i.i, align 8, !noalias !82
-  %.980.3.2.i.i.i = load double, ptr %scevgep149.1.i.i.i.i, align 8, !noalias !82
-  %.992.3.2.i.i.i = fdiv contract double %.980.3.2.i.i.i, 1.000000e-30
-  %scevgep42.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -96
-  store double %.992.3.2.i.i.i, ptr %scevgep42.i.i.i, align 8, !noalias !82
-  %.980.4.2.i.i.i = load double, ptr %scevgep151.2.i.i.i.i, align 8, !noalias !82
-  %.992.4.2.i.i.i = fdiv contract double %.980.4.2.i.i.i, 1.000000e-30
-  %scevgep39.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -88
-  store double %.992.4.2.i.i.i, ptr %scevgep39.i.i.i, align 8, !noalias !82
-  %.980.5.2.i.i.i = load double, ptr %scevgep149.2.i.i.i.i, align 8, !noalias !82
-  %.992.5.2.i.i.i = fdiv contract double %.980.5.2.i.i.i, 1.000000e-30
-  %scevgep36.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -80
-  store double %.992.5.2.i.i.i, ptr %scevgep36.i.i.i, align 8, !noalias !82
-  %.980.6.2.i.i.i = load double, ptr %scevgep151.3.i.i.i.i, align 8, !noalias !82
-  %.992.6.2.i.i.i = fdiv contract double %.980.6.2.i.i.i, 1.000000e-30
-  %scevgep33.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -72
-  store double %.992.6.2.i.i.i, ptr %scevgep33.i.i.i, align 8, !noalias !82
-  %.980.7.2.i.i.i = load double, ptr %scevgep149.3.i.i.i.i, align 8, !noalias !82
-  %.992.7.2.i.i.i = fdiv contract double %.980.7.2.i.i.i, 1.000000e-30
-  %scevgep30.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -64
-  store double %.992.7.2.i.i.i, ptr %scevgep30.i.i.i, align 8, !noalias !82
-  %.980.8.2.i.i.i = load double, ptr %.2438.i.i.i.i.i, align 8, !noalias !82
-  %.992.8.2.i.i.i = fdiv contract double %.980.8.2.i.i.i, 1.000000e-30
-  %scevgep27.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -56
-  store double %.992.8.2.i.i.i, ptr %scevgep27.i.i.i, align 8, !noalias !82
-  %.980.9.2.i.i.i = load double, ptr %scevgep149.4.i.i.i.i, align 8, !noalias !82
-  %.992.9.2.i.i.i = fdiv contract double %.980.9.2.i.i.i, 1.000000e-30
-  %scevgep24.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -48
-  store double %.992.9.2.i.i.i, ptr %scevgep24.i.i.i, align 8, !noalias !82
-  %.980.10.2.i.i.i = load double, ptr %scevgep151.5.i.i.i.i, align 8, !noalias !82
-  %.992.10.2.i.i.i = fdiv contract double %.980.10.2.i.i.i, 1.000000e-30
-  %scevgep21.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -40
-  store double %.992.10.2.i.i.i, ptr %scevgep21.i.i.i, align 8, !noalias !82
-  %.980.11.2.i.i.i = load double, ptr %scevgep149.5.i.i.i.i, align 8, !noalias !82
-  %.992.11.2.i.i.i = fdiv contract double %.980.11.2.i.i.i, 1.000000e-30
-  %scevgep18.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -32
-  store double %.992.11.2.i.i.i, ptr %scevgep18.i.i.i, align 8, !noalias !82
-  %.980.12.2.i.i.i = load double, ptr %scevgep151.6.i.i.i.i, align 8, !noalias !82
-  %.992.12.2.i.i.i = fdiv contract double %.980.12.2.i.i.i, 1.000000e-30
-  %scevgep15.i.i.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -24
-  store double %.992.12.2.i.i.i, ptr %scevgep15.i.i.i, align 8, !noalias !82
-  %.980.13.2.i.i.i = load double, ptr %scevgep149.6.i.i.i.i, align 8, !noalias !82
-  %.992.13.2.i.i.i = fdiv contract double %.980.13.2.i.i.i, 1.000000e-30
-  %scevgep12.i.i4.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -16
-  store double %.992.13.2.i.i.i, ptr %scevgep12.i.i4.i, align 8, !noalias !82
-  %.980.14.2.i.i.i = load double, ptr %scevgep151.7.i.i.i.i, align 8, !noalias !82
-  %.992.14.2.i.i.i = fdiv contract double %.980.14.2.i.i.i, 1.000000e-30
-  %scevgep9.i.i5.i = getelementptr i8, ptr %scevgep167.i.i.i, i64 -8
-  store double %.992.14.2.i.i.i, ptr %scevgep9.i.i5.i, align 8, !noalias !82
-  %.980.15.2.i.i.i = load double, ptr %scevgep149.7.i.i.i.i, align 8, !noalias !82
-  %.992.15.2.i.i.i = fdiv contract double %.980.15.2.i.i.i, 1.000000e-30
-  store double %.992.15.2.i.i.i, ptr %scevgep167.i.i.i, align 8, !noalias !82
-  %lsr.iv.next.i.i.i = add nuw nsw i64 %lsr.iv.i.i.i, 384
-  %exitcond318.not.i.i.i = icmp eq i64 %lsr.iv.next.i.i.i, 1920
-  br i1 %exitcond318.not.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B238.if.i.i.i
+B132.i35.i.i.i.i:                                 ; preds = %B0.endif.i.i.i.i
+  %.59.i36.i.i.i.i = fcmp contract oeq double %.84.i.i.i.i, 0.000000e+00
+  br i1 %.59.i36.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i37.i.i.i.i, !prof !93
 
-_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B940.if.i.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i
-  %excinfo.3.0.i.i = phi ptr [ null, %B940.if.i.i.i ], [ %excinfo.5.1.i.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i ]
-  %common.ret.op.i.i.i = phi i32 [ 0, %B940.if.i.i.i ], [ %common.ret.op.i.i.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i ]
+B270.i56.i.i.i.i:                                 ; preds = %B0.endif.i.i.i.i
+  %.132.i57.i.i.i.i = fcmp contract ult double %..i.i.i, %.45.i.i.i.i.i
+  br i1 %.132.i57.i.i.i.i, label %B0.endif.endif.i.i.i.i, label %B282.i58.i.i.i.i
+
+B282.i58.i.i.i.i:                                 ; preds = %B270.i56.i.i.i.i
+  %.136.i59.i.i.i.i = fcmp contract oeq double %..i.i.i, 0.000000e+00
+  br i1 %.136.i59.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i60.i.i.i.i, !prof !24
+
+B174.endif.i37.i.i.i.i:                           ; preds = %B132.i35.i.i.i.i
+  %.89.i38.i.i.i.i = fdiv contract double %..i.i.i, %.84.i.i.i.i
+  %.91.i39.i.i.i.i = fmul contract double %..i.i.i, %.89.i38.i.i.i.i
+  %.93.i40.i.i.i.i = fadd contract double %.84.i.i.i.i, %.91.i39.i.i.i.i
+  %.98.i41.i.i.i.i = fcmp contract oeq double %.93.i40.i.i.i.i, 0.000000e+00
+  br i1 %.98.i41.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i42.i.i.i.i, !prof !24
+
+B174.endif.endif.i42.i.i.i.i:                     ; preds = %B174.endif.i37.i.i.i.i
+  %.95.i43.i.i.i.i = fmul contract double %.89.i38.i.i.i.i, 0.000000e+00
+  %.97.i44.i.i.i.i = fadd contract double %.95.i43.i.i.i.i, 1.000000e+00
+  %.105.i45.i.i.i.i = fdiv contract double %.97.i44.i.i.i.i, %.93.i40.i.i.i.i
+  %.109.i47.i.i.i.i = fsub contract double 0.000000e+00, %.89.i38.i.i.i.i
+  %.117.i48.i.i.i.i = fdiv contract double %.109.i47.i.i.i.i, %.93.i40.i.i.i.i
+  br label %B0.endif.endif.i.i.i.i
+
+B282.endif.i60.i.i.i.i:                           ; preds = %B282.i58.i.i.i.i
+  %.143.i61.i.i.i.i = fdiv contract double %.84.i.i.i.i, %..i.i.i
+  %.145.i62.i.i.i.i = fmul contract double %.84.i.i.i.i, %.143.i61.i.i.i.i
+  %.147.i63.i.i.i.i = fadd contract double %..i.i.i, %.145.i62.i.i.i.i
+  %.152.i64.i.i.i.i = fcmp contract oeq double %.147.i63.i.i.i.i, 0.000000e+00
+  br i1 %.152.i64.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i65.i.i.i.i, !prof !24
+
+B282.endif.endif.i65.i.i.i.i:                     ; preds = %B282.endif.i60.i.i.i.i
+  %.151.i67.i.i.i.i = fadd contract double %.143.i61.i.i.i.i, 0.000000e+00
+  %.159.i68.i.i.i.i = fdiv contract double %.151.i67.i.i.i.i, %.147.i63.i.i.i.i
+  %.161.i69.i.i.i.i = fmul contract double %.143.i61.i.i.i.i, 0.000000e+00
+  %.163.i70.i.i.i.i = fadd contract double %.161.i69.i.i.i.i, -1.000000e+00
+  %.171.i71.i.i.i.i = fdiv contract double %.163.i70.i.i.i.i, %.147.i63.i.i.i.i
+  br label %B0.endif.endif.i.i.i.i
+
+B0.endif.endif.i.i.i.i:                           ; preds = %B282.endif.endif.i65.i.i.i.i, %B174.endif.endif.i42.i.i.i.i, %B270.i56.i.i.i.i
+  %.164.sroa.4.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i56.i.i.i.i ], [ %.171.i71.i.i.i.i, %B282.endif.endif.i65.i.i.i.i ], [ %.117.i48.i.i.i.i, %B174.endif.endif.i42.i.i.i.i ]
+  %.164.sroa.0.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i56.i.i.i.i ], [ %.159.i68.i.i.i.i, %B282.endif.endif.i65.i.i.i.i ], [ %.105.i45.i.i.i.i, %B174.endif.endif.i42.i.i.i.i ]
+  %.58.i75.i.i.i.i = fmul contract double %.91.sroa.0.0.i.i.i.i, %.164.sroa.4.0.i.i.i.i
+  %.64.i76.i.i.i.i = fmul contract double %.91.sroa.4.0.i.i.i.i, %.164.sroa.0.0.i.i.i.i
+  %.80.i77.i.i.i.i = fadd contract double %.58.i75.i.i.i.i, %.64.i76.i.i.i.i
+  %.46.i78.i.i.i.i = fmul contract double %.91.sroa.0.0.i.i.i.i, %.164.sroa.0.0.i.i.i.i
+  %.52.i79.i.i.i.i = fmul contract double %.91.sroa.4.0.i.i.i.i, %.164.sroa.4.0.i.i.i.i
+  %.70.i80.i.i.i.i = fsub contract double %.46.i78.i.i.i.i, %.52.i79.i.i.i.i
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(768) %arg.state.10.0.4, i8 0, i64 768, i1 false), !noalias !89
+  %trunc.i.i.i = trunc nuw i64 %.326290306.i.i.i to i63
+  switch i63 %trunc.i.i.i, label %B364.i.i.i.i [
+    i63 0, label %B188.i.i.i.i
+    i63 3, label %B256.i.i.i.i
+    i63 4, label %B326.i.i.i.i
+  ]
+
+B132.i85.i.i.i.i:                                 ; preds = %B824.i.i.i.i
+  %.59.i86.i.i.i.i = fcmp contract oeq double %.70.i.i.i.i.i, 0.000000e+00
+  br i1 %.59.i86.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i87.i.i.i.i, !prof !93
+
+B270.i106.i.i.i.i:                                ; preds = %B824.i.i.i.i
+  %.132.i107.i.i.i.i = fcmp contract ult double %.50.i83.i.i.i.i, %.45.i82.i.i.i.i
+  br i1 %.132.i107.i.i.i.i, label %B924.if.i.i.i.i, label %B282.i108.i.i.i.i
+
+B282.i108.i.i.i.i:                                ; preds = %B270.i106.i.i.i.i
+  %.136.i109.i.i.i.i = fcmp contract oeq double %.80.i.i.i.i.i, 0.000000e+00
+  br i1 %.136.i109.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i110.i.i.i.i, !prof !24
+
+B174.endif.i87.i.i.i.i:                           ; preds = %B132.i85.i.i.i.i
+  %.89.i88.i.i.i.i = fdiv contract double %.80.i.i.i.i.i, %.70.i.i.i.i.i
+  %.91.i89.i.i.i.i = fmul contract double %.80.i.i.i.i.i, %.89.i88.i.i.i.i
+  %.93.i90.i.i.i.i = fadd contract double %.70.i.i.i.i.i, %.91.i89.i.i.i.i
+  %.98.i91.i.i.i.i = fcmp contract oeq double %.93.i90.i.i.i.i, 0.000000e+00
+  br i1 %.98.i91.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i92.i.i.i.i, !prof !24
+
+B174.endif.endif.i92.i.i.i.i:                     ; preds = %B174.endif.i87.i.i.i.i
+  %.95.i93.i.i.i.i = fmul contract double %.89.i88.i.i.i.i, 0.000000e+00
+  %.97.i94.i.i.i.i = fadd contract double %.95.i93.i.i.i.i, 3.000000e+00
+  %.105.i95.i.i.i.i = fdiv contract double %.97.i94.i.i.i.i, %.93.i90.i.i.i.i
+  %.107.i96.i.i.i.i = fmul contract double %.89.i88.i.i.i.i, 3.000000e+00
+  %.109.i97.i.i.i.i = fsub contract double 0.000000e+00, %.107.i96.i.i.i.i
+  %.117.i98.i.i.i.i = fdiv contract double %.109.i97.i.i.i.i, %.93.i90.i.i.i.i
+  br label %B924.if.i.i.i.i
+
+B282.endif.i110.i.i.i.i:                          ; preds = %B282.i108.i.i.i.i
+  %.143.i111.i.i.i.i = fdiv contract double %.70.i.i.i.i.i, %.80.i.i.i.i.i
+  %.145.i112.i.i.i.i = fmul contract double %.70.i.i.i.i.i, %.143.i111.i.i.i.i
+  %.147.i113.i.i.i.i = fadd contract double %.80.i.i.i.i.i, %.145.i112.i.i.i.i
+  %.152.i114.i.i.i.i = fcmp contract oeq double %.147.i113.i.i.i.i, 0.000000e+00
+  br i1 %.152.i114.i.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i115.i.i.i.i, !prof !24
+
+B282.endif.endif.i115.i.i.i.i:                    ; preds = %B282.endif.i110.i.i.i.i
+  %.149.i116.i.i.i.i = fmul contract double %.143.i111.i.i.i.i, 3.000000e+00
+  %.151.i117.i.i.i.i = fadd contract double %.149.i116.i.i.i.i, 0.000000e+00
+  %.159.i118.i.i.i.i = fdiv contract double %.151.i117.i.i.i.i, %.147.i113.i.i.i.i
+  %.161.i119.i.i.i.i = fmul contract double %.143.i111.i.i.i.i, 0.000000e+00
+  %.163.i120.i.i.i.i = fadd contract double %.161.i119.i.i.i.i, -3.000000e+00
+  %.171.i121.i.i.i.i = fdiv contract double %.163.i120.i.i.i.i, %.147.i113.i.i.i.i
+  br label %B924.if.i.i.i.i
+
+B924.if.i.i.i.i:                                  ; preds = %B282.endif.endif.i115.i.i.i.i, %B174.endif.endif.i92.i.i.i.i, %B270.i106.i.i.i.i
+  %.1045.sroa.0.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i106.i.i.i.i ], [ %.105.i95.i.i.i.i, %B174.endif.endif.i92.i.i.i.i ], [ %.159.i118.i.i.i.i, %B282.endif.endif.i115.i.i.i.i ]
+  %.1045.sroa.4.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i106.i.i.i.i ], [ %.117.i98.i.i.i.i, %B174.endif.endif.i92.i.i.i.i ], [ %.171.i121.i.i.i.i, %B282.endif.endif.i115.i.i.i.i ]
+  %.1364.i.i.i.i = load double, ptr %arg.state.10.0.4, align 8, !noalias !89
+  %.1366.i.i.i.i = load double, ptr %.80.i1.i.i.i.i, align 8, !noalias !89
+  %.58.i125.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.i.i.i.i
+  %.64.i126.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.i.i.i.i
+  %.80.i127.i.i.i.i = fadd contract double %.58.i125.i.i.i.i, %.64.i126.i.i.i.i
+  %.46.i128.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.i.i.i.i
+  %.52.i129.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.i.i.i.i
+  %.70.i130.i.i.i.i = fsub contract double %.46.i128.i.i.i.i, %.52.i129.i.i.i.i
+  store double %.70.i130.i.i.i.i, ptr %arg.state.10.0.4, align 8, !noalias !89
+  store double %.80.i127.i.i.i.i, ptr %.80.i1.i.i.i.i, align 8, !noalias !89
+  %.1364.1151.i.i.i.i = load double, ptr %sunkaddr183.i.i.i.i, align 8, !noalias !89
+  %.1366.1153.i.i.i.i = load double, ptr %sunkaddr185.i.i.i.i, align 8, !noalias !89
+  %.58.i125.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1151.i.i.i.i
+  %.64.i126.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1153.i.i.i.i
+  %.80.i127.1.i.i.i.i = fadd contract double %.58.i125.1.i.i.i.i, %.64.i126.1.i.i.i.i
+  %.46.i128.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1151.i.i.i.i
+  %.52.i129.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1153.i.i.i.i
+  %.70.i130.1.i.i.i.i = fsub contract double %.46.i128.1.i.i.i.i, %.52.i129.1.i.i.i.i
+  store double %.70.i130.1.i.i.i.i, ptr %sunkaddr183.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.1.i.i.i.i, ptr %sunkaddr185.i.i.i.i, align 8, !noalias !89
+  %.1364.142.i.i.i.i = load double, ptr %.222.i.i.i.i.i, align 8, !noalias !89
+  %.1366.143.i.i.i.i = load double, ptr %.225.i.i.i.i.i, align 8, !noalias !89
+  %.58.i125.144.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.142.i.i.i.i
+  %.64.i126.145.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.143.i.i.i.i
+  %.80.i127.146.i.i.i.i = fadd contract double %.58.i125.144.i.i.i.i, %.64.i126.145.i.i.i.i
+  %.46.i128.147.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.142.i.i.i.i
+  %.52.i129.148.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.143.i.i.i.i
+  %.70.i130.149.i.i.i.i = fsub contract double %.46.i128.147.i.i.i.i, %.52.i129.148.i.i.i.i
+  store double %.70.i130.149.i.i.i.i, ptr %.222.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.146.i.i.i.i, ptr %.225.i.i.i.i.i, align 8, !noalias !89
+  %.1364.1151.1.i.i.i.i = load double, ptr %.445.i.i.i.i.i, align 8, !noalias !89
+  %.1366.1153.1.i.i.i.i = load double, ptr %.448.i.i.i.i.i, align 8, !noalias !89
+  %.58.i125.1.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1151.1.i.i.i.i
+  %.64.i126.1.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1153.1.i.i.i.i
+  %.80.i127.1.1.i.i.i.i = fadd contract double %.58.i125.1.1.i.i.i.i, %.64.i126.1.1.i.i.i.i
+  %.46.i128.1.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1151.1.i.i.i.i
+  %.52.i129.1.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1153.1.i.i.i.i
+  %.70.i130.1.1.i.i.i.i = fsub contract double %.46.i128.1.1.i.i.i.i, %.52.i129.1.1.i.i.i.i
+  store double %.70.i130.1.1.i.i.i.i, ptr %.445.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.1.1.i.i.i.i, ptr %.448.i.i.i.i.i, align 8, !noalias !89
+  %.1364.251.i.i.i.i = load double, ptr %.588.i.i.i.i.i, align 8, !noalias !89
+  %.1366.252.i.i.i.i = load double, ptr %.591.i.i.i.i.i, align 8, !noalias !89
+  %.58.i125.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.251.i.i.i.i
+  %.64.i126.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.252.i.i.i.i
+  %.80.i127.2.i.i.i.i = fadd contract double %.58.i125.2.i.i.i.i, %.64.i126.2.i.i.i.i
+  %.46.i128.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.251.i.i.i.i
+  %.52.i129.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.252.i.i.i.i
+  %.70.i130.2.i.i.i.i = fsub contract double %.46.i128.2.i.i.i.i, %.52.i129.2.i.i.i.i
+  store double %.70.i130.2.i.i.i.i, ptr %.588.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.2.i.i.i.i, ptr %.591.i.i.i.i.i, align 8, !noalias !89
+  %.1364.1151.2.i.i.i.i = load double, ptr %sunkaddr183.2.i.i.i.i, align 8, !noalias !89
+  %.1366.1153.2.i.i.i.i = load double, ptr %sunkaddr185.2.i.i.i.i, align 8, !noalias !89
+  %.58.i125.1.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1151.2.i.i.i.i
+  %.64.i126.1.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1153.2.i.i.i.i
+  %.80.i127.1.2.i.i.i.i = fadd contract double %.58.i125.1.2.i.i.i.i, %.64.i126.1.2.i.i.i.i
+  %.46.i128.1.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1151.2.i.i.i.i
+  %.52.i129.1.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1153.2.i.i.i.i
+  %.70.i130.1.2.i.i.i.i = fsub contract double %.46.i128.1.2.i.i.i.i, %.52.i129.1.2.i.i.i.i
+  store double %.70.i130.1.2.i.i.i.i, ptr %sunkaddr183.2.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.1.2.i.i.i.i, ptr %sunkaddr185.2.i.i.i.i, align 8, !noalias !89
+  %.1364.3.i.i.i.i = load double, ptr %.1111.i.i.i.i.i, align 8, !noalias !89
+  %.1366.3.i.i.i.i = load double, ptr %.1114.i.i.i.i.i, align 8, !noalias !89
+  %.58.i125.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.3.i.i.i.i
+  %.64.i126.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.3.i.i.i.i
+  %.80.i127.3.i.i.i.i = fadd contract double %.58.i125.3.i.i.i.i, %.64.i126.3.i.i.i.i
+  %.46.i128.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.3.i.i.i.i
+  %.52.i129.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.3.i.i.i.i
+  %.70.i130.3.i.i.i.i = fsub contract double %.46.i128.3.i.i.i.i, %.52.i129.3.i.i.i.i
+  store double %.70.i130.3.i.i.i.i, ptr %.1111.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.3.i.i.i.i, ptr %.1114.i.i.i.i.i, align 8, !noalias !89
+  %.1364.1151.3.i.i.i.i = load double, ptr %.1645.i.i.i.i.i, align 8, !noalias !89
+  %.1366.1153.3.i.i.i.i = load double, ptr %.1648.i.i.i.i.i, align 8, !noalias !89
+  %.58.i125.1.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1151.3.i.i.i.i
+  %.64.i126.1.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1153.3.i.i.i.i
+  %.80.i127.1.3.i.i.i.i = fadd contract double %.58.i125.1.3.i.i.i.i, %.64.i126.1.3.i.i.i.i
+  %.46.i128.1.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1151.3.i.i.i.i
+  %.52.i129.1.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1153.3.i.i.i.i
+  %.70.i130.1.3.i.i.i.i = fsub contract double %.46.i128.1.3.i.i.i.i, %.52.i129.1.3.i.i.i.i
+  store double %.70.i130.1.3.i.i.i.i, ptr %.1645.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.1.3.i.i.i.i, ptr %.1648.i.i.i.i.i, align 8, !noalias !89
+  %.1364.4.i.i.i.i = load double, ptr %sunkaddr.4.i.i.i.i, align 8, !noalias !89
+  %.1366.4.i.i.i.i = load double, ptr %sunkaddr181.4.i.i.i.i, align 8, !noalias !89
+  %.58.i125.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.4.i.i.i.i
+  %.64.i126.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.4.i.i.i.i
+  %.80.i127.4.i.i.i.i = fadd contract double %.58.i125.4.i.i.i.i, %.64.i126.4.i.i.i.i
+  %.46.i128.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.4.i.i.i.i
+  %.52.i129.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.4.i.i.i.i
+  %.70.i130.4.i.i.i.i = fsub contract double %.46.i128.4.i.i.i.i, %.52.i129.4.i.i.i.i
+  store double %.70.i130.4.i.i.i.i, ptr %sunkaddr.4.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.4.i.i.i.i, ptr %sunkaddr181.4.i.i.i.i, align 8, !noalias !89
+  %.1364.1151.4.i.i.i.i = load double, ptr %.2656.i.i.i.i.i, align 8, !noalias !89
+  %.1366.1153.4.i.i.i.i = load double, ptr %.2659.i.i.i.i.i, align 8, !noalias !89
+  %.58.i125.1.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1151.4.i.i.i.i
+  %.64.i126.1.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1153.4.i.i.i.i
+  %.80.i127.1.4.i.i.i.i = fadd contract double %.58.i125.1.4.i.i.i.i, %.64.i126.1.4.i.i.i.i
+  %.46.i128.1.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1151.4.i.i.i.i
+  %.52.i129.1.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1153.4.i.i.i.i
+  %.70.i130.1.4.i.i.i.i = fsub contract double %.46.i128.1.4.i.i.i.i, %.52.i129.1.4.i.i.i.i
+  store double %.70.i130.1.4.i.i.i.i, ptr %.2656.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.1.4.i.i.i.i, ptr %.2659.i.i.i.i.i, align 8, !noalias !89
+  %.1364.5.i.i.i.i = load double, ptr %.3494.i.i.i.i.i, align 8, !noalias !89
+  %.1366.5.i.i.i.i = load double, ptr %.3497.i.i.i.i.i, align 8, !noalias !89
+  %.58.i125.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.5.i.i.i.i
+  %.64.i126.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.5.i.i.i.i
+  %.80.i127.5.i.i.i.i = fadd contract double %.58.i125.5.i.i.i.i, %.64.i126.5.i.i.i.i
+  %.46.i128.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.5.i.i.i.i
+  %.52.i129.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.5.i.i.i.i
+  %.70.i130.5.i.i.i.i = fsub contract double %.46.i128.5.i.i.i.i, %.52.i129.5.i.i.i.i
+  store double %.70.i130.5.i.i.i.i, ptr %.3494.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.5.i.i.i.i, ptr %.3497.i.i.i.i.i, align 8, !noalias !89
+  %.1364.1151.5.i.i.i.i = load double, ptr %.4475.i.i.i.i.i, align 8, !noalias !89
+  %.1366.1153.5.i.i.i.i = load double, ptr %.4478.i.i.i.i.i, align 8, !noalias !89
+  %.58.i125.1.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1151.5.i.i.i.i
+  %.64.i126.1.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1153.5.i.i.i.i
+  %.80.i127.1.5.i.i.i.i = fadd contract double %.58.i125.1.5.i.i.i.i, %.64.i126.1.5.i.i.i.i
+  %.46.i128.1.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1151.5.i.i.i.i
+  %.52.i129.1.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1153.5.i.i.i.i
+  %.70.i130.1.5.i.i.i.i = fsub contract double %.46.i128.1.5.i.i.i.i, %.52.i129.1.5.i.i.i.i
+  store double %.70.i130.1.5.i.i.i.i, ptr %.4475.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.1.5.i.i.i.i, ptr %.4478.i.i.i.i.i, align 8, !noalias !89
+  %.1364.6.i.i.i.i = load double, ptr %sunkaddr.6.i.i.i.i, align 8, !noalias !89
+  %.1366.6.i.i.i.i = load double, ptr %sunkaddr181.6.i.i.i.i, align 8, !noalias !89
+  %.58.i125.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.6.i.i.i.i
+  %.64.i126.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.6.i.i.i.i
+  %.80.i127.6.i.i.i.i = fadd contract double %.58.i125.6.i.i.i.i, %.64.i126.6.i.i.i.i
+  %.46.i128.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.6.i.i.i.i
+  %.52.i129.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.6.i.i.i.i
+  %.70.i130.6.i.i.i.i = fsub contract double %.46.i128.6.i.i.i.i, %.52.i129.6.i.i.i.i
+  store double %.70.i130.6.i.i.i.i, ptr %sunkaddr.6.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.6.i.i.i.i, ptr %sunkaddr181.6.i.i.i.i, align 8, !noalias !89
+  %.1364.1151.6.i.i.i.i = load double, ptr %sunkaddr183.6.i.i.i.i, align 8, !noalias !89
+  %.1366.1153.6.i.i.i.i = load double, ptr %sunkaddr185.6.i.i.i.i, align 8, !noalias !89
+  %.58.i125.1.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1151.6.i.i.i.i
+  %.64.i126.1.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1153.6.i.i.i.i
+  %.80.i127.1.6.i.i.i.i = fadd contract double %.58.i125.1.6.i.i.i.i, %.64.i126.1.6.i.i.i.i
+  %.46.i128.1.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1151.6.i.i.i.i
+  %.52.i129.1.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1153.6.i.i.i.i
+  %.70.i130.1.6.i.i.i.i = fsub contract double %.46.i128.1.6.i.i.i.i, %.52.i129.1.6.i.i.i.i
+  store double %.70.i130.1.6.i.i.i.i, ptr %sunkaddr183.6.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.1.6.i.i.i.i, ptr %sunkaddr185.6.i.i.i.i, align 8, !noalias !89
+  %.1364.7.i.i.i.i = load double, ptr %sunkaddr.7.i.i.i.i, align 8, !noalias !89
+  %.1366.7.i.i.i.i = load double, ptr %sunkaddr181.7.i.i.i.i, align 8, !noalias !89
+  %.58.i125.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.7.i.i.i.i
+  %.64.i126.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.7.i.i.i.i
+  %.80.i127.7.i.i.i.i = fadd contract double %.58.i125.7.i.i.i.i, %.64.i126.7.i.i.i.i
+  %.46.i128.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.7.i.i.i.i
+  %.52.i129.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.7.i.i.i.i
+  %.70.i130.7.i.i.i.i = fsub contract double %.46.i128.7.i.i.i.i, %.52.i129.7.i.i.i.i
+  store double %.70.i130.7.i.i.i.i, ptr %sunkaddr.7.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.7.i.i.i.i, ptr %sunkaddr181.7.i.i.i.i, align 8, !noalias !89
+  %.1364.1151.7.i.i.i.i = load double, ptr %sunkaddr183.7.i.i.i.i, align 8, !noalias !89
+  %.1366.1153.7.i.i.i.i = load double, ptr %sunkaddr185.7.i.i.i.i, align 8, !noalias !89
+  %.58.i125.1.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1151.7.i.i.i.i
+  %.64.i126.1.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1153.7.i.i.i.i
+  %.80.i127.1.7.i.i.i.i = fadd contract double %.58.i125.1.7.i.i.i.i, %.64.i126.1.7.i.i.i.i
+  %.46.i128.1.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1151.7.i.i.i.i
+  %.52.i129.1.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1153.7.i.i.i.i
+  %.70.i130.1.7.i.i.i.i = fsub contract double %.46.i128.1.7.i.i.i.i, %.52.i129.1.7.i.i.i.i
+  store double %.70.i130.1.7.i.i.i.i, ptr %sunkaddr183.7.i.i.i.i, align 8, !noalias !89
+  store double %.80.i127.1.7.i.i.i.i, ptr %sunkaddr185.7.i.i.i.i, align 8, !noalias !89
+  %.1364.1.i.i.i.i = load double, ptr %33, align 8, !noalias !89
+  %.1366.1.i.i.i.i = load double, ptr %scevgep170.i.i.i.i, align 8, !noalias !89
+  %.58.i18.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.i.i.i.i
+  %.64.i19.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.i.i.i.i
+  %.80.i20.i.i.i.i = fadd contract double %.58.i18.i.i.i.i, %.64.i19.i.i.i.i
+  %.46.i21.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.i.i.i.i
+  %.52.i22.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.i.i.i.i
+  %.70.i23.i.i.i.i = fsub contract double %.46.i21.i.i.i.i, %.52.i22.i.i.i.i
+  store double %.70.i23.i.i.i.i, ptr %33, align 8, !noalias !89
+  store double %.80.i20.i.i.i.i, ptr %scevgep170.i.i.i.i, align 8, !noalias !89
+  %.1364.1.1.i.i.i.i = load double, ptr %scevgep167.i.i.i.i, align 8, !noalias !89
+  %.1366.1.1.i.i.i.i = load double, ptr %scevgep162.i.i.i.i, align 8, !noalias !89
+  %.58.i18.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.1.i.i.i.i
+  %.64.i19.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.1.i.i.i.i
+  %.80.i20.1.i.i.i.i = fadd contract double %.58.i18.1.i.i.i.i, %.64.i19.1.i.i.i.i
+  %.46.i21.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.1.i.i.i.i
+  %.52.i22.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.1.i.i.i.i
+  %.70.i23.1.i.i.i.i = fsub contract double %.46.i21.1.i.i.i.i, %.52.i22.1.i.i.i.i
+  store double %.70.i23.1.i.i.i.i, ptr %scevgep167.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.1.i.i.i.i, ptr %scevgep162.i.i.i.i, align 8, !noalias !89
+  %.1364.1.154.i.i.i.i = load double, ptr %scevgep169.1.i.i.i.i, align 8, !noalias !89
+  %.1366.1.155.i.i.i.i = load double, ptr %scevgep170.1.i.i.i.i, align 8, !noalias !89
+  %.58.i18.156.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.154.i.i.i.i
+  %.64.i19.157.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.155.i.i.i.i
+  %.80.i20.158.i.i.i.i = fadd contract double %.58.i18.156.i.i.i.i, %.64.i19.157.i.i.i.i
+  %.46.i21.159.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.154.i.i.i.i
+  %.52.i22.160.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.155.i.i.i.i
+  %.70.i23.161.i.i.i.i = fsub contract double %.46.i21.159.i.i.i.i, %.52.i22.160.i.i.i.i
+  store double %.70.i23.161.i.i.i.i, ptr %scevgep169.1.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.158.i.i.i.i, ptr %scevgep170.1.i.i.i.i, align 8, !noalias !89
+  %.1364.1.1.1.i.i.i.i = load double, ptr %scevgep167.1.i.i.i.i, align 8, !noalias !89
+  %.1366.1.1.1.i.i.i.i = load double, ptr %scevgep168.1.i.i.i.i, align 8, !noalias !89
+  %.58.i18.1.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.1.1.i.i.i.i
+  %.64.i19.1.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.1.1.i.i.i.i
+  %.80.i20.1.1.i.i.i.i = fadd contract double %.58.i18.1.1.i.i.i.i, %.64.i19.1.1.i.i.i.i
+  %.46.i21.1.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.1.1.i.i.i.i
+  %.52.i22.1.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.1.1.i.i.i.i
+  %.70.i23.1.1.i.i.i.i = fsub contract double %.46.i21.1.1.i.i.i.i, %.52.i22.1.1.i.i.i.i
+  store double %.70.i23.1.1.i.i.i.i, ptr %scevgep167.1.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.1.1.i.i.i.i, ptr %scevgep168.1.i.i.i.i, align 8, !noalias !89
+  %.1364.1.2.i.i.i.i = load double, ptr %scevgep169.2.i.i.i.i, align 8, !noalias !89
+  %.1366.1.2.i.i.i.i = load double, ptr %scevgep170.2.i.i.i.i, align 8, !noalias !89
+  %.58.i18.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.2.i.i.i.i
+  %.64.i19.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.2.i.i.i.i
+  %.80.i20.2.i.i.i.i = fadd contract double %.58.i18.2.i.i.i.i, %.64.i19.2.i.i.i.i
+  %.46.i21.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.2.i.i.i.i
+  %.52.i22.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.2.i.i.i.i
+  %.70.i23.2.i.i.i.i = fsub contract double %.46.i21.2.i.i.i.i, %.52.i22.2.i.i.i.i
+  store double %.70.i23.2.i.i.i.i, ptr %scevgep169.2.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.2.i.i.i.i, ptr %scevgep170.2.i.i.i.i, align 8, !noalias !89
+  %.1364.1.1.2.i.i.i.i = load double, ptr %.890.i.i.i.i.i, align 8, !noalias !89
+  %.1366.1.1.2.i.i.i.i = load double, ptr %.893.i.i.i.i.i, align 8, !noalias !89
+  %.58.i18.1.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.1.2.i.i.i.i
+  %.64.i19.1.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.1.2.i.i.i.i
+  %.80.i20.1.2.i.i.i.i = fadd contract double %.58.i18.1.2.i.i.i.i, %.64.i19.1.2.i.i.i.i
+  %.46.i21.1.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.1.2.i.i.i.i
+  %.52.i22.1.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.1.2.i.i.i.i
+  %.70.i23.1.2.i.i.i.i = fsub contract double %.46.i21.1.2.i.i.i.i, %.52.i22.1.2.i.i.i.i
+  store double %.70.i23.1.2.i.i.i.i, ptr %.890.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.1.2.i.i.i.i, ptr %.893.i.i.i.i.i, align 8, !noalias !89
+  %.1364.1.3.i.i.i.i = load double, ptr %.1502.i.i.i.i.i, align 8, !noalias !89
+  %.1366.1.3.i.i.i.i = load double, ptr %.1505.i.i.i.i.i, align 8, !noalias !89
+  %.58.i18.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.3.i.i.i.i
+  %.64.i19.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.3.i.i.i.i
+  %.80.i20.3.i.i.i.i = fadd contract double %.58.i18.3.i.i.i.i, %.64.i19.3.i.i.i.i
+  %.46.i21.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.3.i.i.i.i
+  %.52.i22.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.3.i.i.i.i
+  %.70.i23.3.i.i.i.i = fsub contract double %.46.i21.3.i.i.i.i, %.52.i22.3.i.i.i.i
+  store double %.70.i23.3.i.i.i.i, ptr %.1502.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.3.i.i.i.i, ptr %.1505.i.i.i.i.i, align 8, !noalias !89
+  %.1364.1.1.3.i.i.i.i = load double, ptr %scevgep167.3.i.i.i.i, align 8, !noalias !89
+  %.1366.1.1.3.i.i.i.i = load double, ptr %scevgep168.3.i.i.i.i, align 8, !noalias !89
+  %.58.i18.1.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.1.3.i.i.i.i
+  %.64.i19.1.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.1.3.i.i.i.i
+  %.80.i20.1.3.i.i.i.i = fadd contract double %.58.i18.1.3.i.i.i.i, %.64.i19.1.3.i.i.i.i
+  %.46.i21.1.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.1.3.i.i.i.i
+  %.52.i22.1.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.1.3.i.i.i.i
+  %.70.i23.1.3.i.i.i.i = fsub contract double %.46.i21.1.3.i.i.i.i, %.52.i22.1.3.i.i.i.i
+  store double %.70.i23.1.3.i.i.i.i, ptr %scevgep167.3.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.1.3.i.i.i.i, ptr %scevgep168.3.i.i.i.i, align 8, !noalias !89
+  %.1364.1.4.i.i.i.i = load double, ptr %.1947.i.i.i.i.i, align 8, !noalias !89
+  %.1366.1.4.i.i.i.i = load double, ptr %.1950.i.i.i.i.i, align 8, !noalias !89
+  %.58.i18.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.4.i.i.i.i
+  %.64.i19.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.4.i.i.i.i
+  %.80.i20.4.i.i.i.i = fadd contract double %.58.i18.4.i.i.i.i, %.64.i19.4.i.i.i.i
+  %.46.i21.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.4.i.i.i.i
+  %.52.i22.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.4.i.i.i.i
+  %.70.i23.4.i.i.i.i = fsub contract double %.46.i21.4.i.i.i.i, %.52.i22.4.i.i.i.i
+  store double %.70.i23.4.i.i.i.i, ptr %.1947.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.4.i.i.i.i, ptr %.1950.i.i.i.i.i, align 8, !noalias !89
+  %.1364.1.1.4.i.i.i.i = load double, ptr %.3047.i.i.i.i.i, align 8, !noalias !89
+  %.1366.1.1.4.i.i.i.i = load double, ptr %.3050.i.i.i.i.i, align 8, !noalias !89
+  %.58.i18.1.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.1.4.i.i.i.i
+  %.64.i19.1.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.1.4.i.i.i.i
+  %.80.i20.1.4.i.i.i.i = fadd contract double %.58.i18.1.4.i.i.i.i, %.64.i19.1.4.i.i.i.i
+  %.46.i21.1.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.1.4.i.i.i.i
+  %.52.i22.1.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.1.4.i.i.i.i
+  %.70.i23.1.4.i.i.i.i = fsub contract double %.46.i21.1.4.i.i.i.i, %.52.i22.1.4.i.i.i.i
+  store double %.70.i23.1.4.i.i.i.i, ptr %.3047.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.1.4.i.i.i.i, ptr %.3050.i.i.i.i.i, align 8, !noalias !89
+  %.1364.1.5.i.i.i.i = load double, ptr %.4246.i.i.i.i.i, align 8, !noalias !89
+  %.1366.1.5.i.i.i.i = load double, ptr %.4249.i.i.i.i.i, align 8, !noalias !89
+  %.58.i18.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.5.i.i.i.i
+  %.64.i19.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.5.i.i.i.i
+  %.80.i20.5.i.i.i.i = fadd contract double %.58.i18.5.i.i.i.i, %.64.i19.5.i.i.i.i
+  %.46.i21.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.5.i.i.i.i
+  %.52.i22.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.5.i.i.i.i
+  %.70.i23.5.i.i.i.i = fsub contract double %.46.i21.5.i.i.i.i, %.52.i22.5.i.i.i.i
+  store double %.70.i23.5.i.i.i.i, ptr %.4246.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.5.i.i.i.i, ptr %.4249.i.i.i.i.i, align 8, !noalias !89
+  %.1364.1.1.5.i.i.i.i = load double, ptr %.4963.i.i.i.i.i, align 8, !noalias !89
+  %.1366.1.1.5.i.i.i.i = load double, ptr %.4966.i.i.i.i.i, align 8, !noalias !89
+  %.58.i18.1.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.1.5.i.i.i.i
+  %.64.i19.1.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.1.5.i.i.i.i
+  %.80.i20.1.5.i.i.i.i = fadd contract double %.58.i18.1.5.i.i.i.i, %.64.i19.1.5.i.i.i.i
+  %.46.i21.1.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.1.5.i.i.i.i
+  %.52.i22.1.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.1.5.i.i.i.i
+  %.70.i23.1.5.i.i.i.i = fsub contract double %.46.i21.1.5.i.i.i.i, %.52.i22.1.5.i.i.i.i
+  store double %.70.i23.1.5.i.i.i.i, ptr %.4963.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.1.5.i.i.i.i, ptr %.4966.i.i.i.i.i, align 8, !noalias !89
+  %.1364.1.6.i.i.i.i = load double, ptr %scevgep169.6.i.i.i.i, align 8, !noalias !89
+  %.1366.1.6.i.i.i.i = load double, ptr %scevgep170.6.i.i.i.i, align 8, !noalias !89
+  %.58.i18.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.6.i.i.i.i
+  %.64.i19.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.6.i.i.i.i
+  %.80.i20.6.i.i.i.i = fadd contract double %.58.i18.6.i.i.i.i, %.64.i19.6.i.i.i.i
+  %.46.i21.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.6.i.i.i.i
+  %.52.i22.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.6.i.i.i.i
+  %.70.i23.6.i.i.i.i = fsub contract double %.46.i21.6.i.i.i.i, %.52.i22.6.i.i.i.i
+  store double %.70.i23.6.i.i.i.i, ptr %scevgep169.6.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.6.i.i.i.i, ptr %scevgep170.6.i.i.i.i, align 8, !noalias !89
+  %.1364.1.1.6.i.i.i.i = load double, ptr %scevgep167.6.i.i.i.i, align 8, !noalias !89
+  %.1366.1.1.6.i.i.i.i = load double, ptr %scevgep168.6.i.i.i.i, align 8, !noalias !89
+  %.58.i18.1.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.1.6.i.i.i.i
+  %.64.i19.1.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.1.6.i.i.i.i
+  %.80.i20.1.6.i.i.i.i = fadd contract double %.58.i18.1.6.i.i.i.i, %.64.i19.1.6.i.i.i.i
+  %.46.i21.1.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.1.6.i.i.i.i
+  %.52.i22.1.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.1.6.i.i.i.i
+  %.70.i23.1.6.i.i.i.i = fsub contract double %.46.i21.1.6.i.i.i.i, %.52.i22.1.6.i.i.i.i
+  store double %.70.i23.1.6.i.i.i.i, ptr %scevgep167.6.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.1.6.i.i.i.i, ptr %scevgep168.6.i.i.i.i, align 8, !noalias !89
+  %.1364.1.7.i.i.i.i = load double, ptr %scevgep169.7.i.i.i.i, align 8, !noalias !89
+  %.1366.1.7.i.i.i.i = load double, ptr %scevgep170.7.i.i.i.i, align 8, !noalias !89
+  %.58.i18.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.7.i.i.i.i
+  %.64.i19.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.7.i.i.i.i
+  %.80.i20.7.i.i.i.i = fadd contract double %.58.i18.7.i.i.i.i, %.64.i19.7.i.i.i.i
+  %.46.i21.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.7.i.i.i.i
+  %.52.i22.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.7.i.i.i.i
+  %.70.i23.7.i.i.i.i = fsub contract double %.46.i21.7.i.i.i.i, %.52.i22.7.i.i.i.i
+  store double %.70.i23.7.i.i.i.i, ptr %scevgep169.7.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.7.i.i.i.i, ptr %scevgep170.7.i.i.i.i, align 8, !noalias !89
+  %.1364.1.1.7.i.i.i.i = load double, ptr %scevgep167.7.i.i.i.i, align 8, !noalias !89
+  %.1366.1.1.7.i.i.i.i = load double, ptr %scevgep168.7.i.i.i.i, align 8, !noalias !89
+  %.58.i18.1.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.1.1.7.i.i.i.i
+  %.64.i19.1.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.1.1.7.i.i.i.i
+  %.80.i20.1.7.i.i.i.i = fadd contract double %.58.i18.1.7.i.i.i.i, %.64.i19.1.7.i.i.i.i
+  %.46.i21.1.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.1.1.7.i.i.i.i
+  %.52.i22.1.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.1.1.7.i.i.i.i
+  %.70.i23.1.7.i.i.i.i = fsub contract double %.46.i21.1.7.i.i.i.i, %.52.i22.1.7.i.i.i.i
+  store double %.70.i23.1.7.i.i.i.i, ptr %scevgep167.7.i.i.i.i, align 8, !noalias !89
+  store double %.80.i20.1.7.i.i.i.i, ptr %scevgep168.7.i.i.i.i, align 8, !noalias !89
+  %.1364.2.i.i.i.i = load double, ptr %34, align 8, !noalias !89
+  %.1366.2.i.i.i.i = load double, ptr %scevgep161.i.i.i.i, align 8, !noalias !89
+  %.58.i25.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.i.i.i.i
+  %.64.i26.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.i.i.i.i
+  %.80.i27.i.i.i.i = fadd contract double %.58.i25.i.i.i.i, %.64.i26.i.i.i.i
+  %.46.i28.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.i.i.i.i
+  %.52.i29.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.i.i.i.i
+  %.70.i30.i.i.i.i = fsub contract double %.46.i28.i.i.i.i, %.52.i29.i.i.i.i
+  store double %.70.i30.i.i.i.i, ptr %34, align 8, !noalias !89
+  store double %.80.i27.i.i.i.i, ptr %scevgep161.i.i.i.i, align 8, !noalias !89
+  %.1364.2.1.i.i.i.i = load double, ptr %scevgep158.i.i.i.i, align 8, !noalias !89
+  %.1366.2.1.i.i.i.i = load double, ptr %scevgep.i.i.i.i, align 8, !noalias !89
+  %.58.i25.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.1.i.i.i.i
+  %.64.i26.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.1.i.i.i.i
+  %.80.i27.1.i.i.i.i = fadd contract double %.58.i25.1.i.i.i.i, %.64.i26.1.i.i.i.i
+  %.46.i28.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.1.i.i.i.i
+  %.52.i29.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.1.i.i.i.i
+  %.70.i30.1.i.i.i.i = fsub contract double %.46.i28.1.i.i.i.i, %.52.i29.1.i.i.i.i
+  store double %.70.i30.1.i.i.i.i, ptr %scevgep158.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.1.i.i.i.i, ptr %scevgep.i.i.i.i, align 8, !noalias !89
+  %.1364.2.162.i.i.i.i = load double, ptr %scevgep160.1.i.i.i.i, align 8, !noalias !89
+  %.1366.2.163.i.i.i.i = load double, ptr %scevgep161.1.i.i.i.i, align 8, !noalias !89
+  %.58.i25.164.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.162.i.i.i.i
+  %.64.i26.165.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.163.i.i.i.i
+  %.80.i27.166.i.i.i.i = fadd contract double %.58.i25.164.i.i.i.i, %.64.i26.165.i.i.i.i
+  %.46.i28.167.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.162.i.i.i.i
+  %.52.i29.168.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.163.i.i.i.i
+  %.70.i30.169.i.i.i.i = fsub contract double %.46.i28.167.i.i.i.i, %.52.i29.168.i.i.i.i
+  store double %.70.i30.169.i.i.i.i, ptr %scevgep160.1.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.166.i.i.i.i, ptr %scevgep161.1.i.i.i.i, align 8, !noalias !89
+  %.1364.2.1.1.i.i.i.i = load double, ptr %scevgep158.1.i.i.i.i, align 8, !noalias !89
+  %.1366.2.1.1.i.i.i.i = load double, ptr %scevgep159.1.i.i.i.i, align 8, !noalias !89
+  %.58.i25.1.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.1.1.i.i.i.i
+  %.64.i26.1.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.1.1.i.i.i.i
+  %.80.i27.1.1.i.i.i.i = fadd contract double %.58.i25.1.1.i.i.i.i, %.64.i26.1.1.i.i.i.i
+  %.46.i28.1.1.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.1.1.i.i.i.i
+  %.52.i29.1.1.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.1.1.i.i.i.i
+  %.70.i30.1.1.i.i.i.i = fsub contract double %.46.i28.1.1.i.i.i.i, %.52.i29.1.1.i.i.i.i
+  store double %.70.i30.1.1.i.i.i.i, ptr %scevgep158.1.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.1.1.i.i.i.i, ptr %scevgep159.1.i.i.i.i, align 8, !noalias !89
+  %.1364.2.2.i.i.i.i = load double, ptr %scevgep160.2.i.i.i.i, align 8, !noalias !89
+  %.1366.2.2.i.i.i.i = load double, ptr %scevgep161.2.i.i.i.i, align 8, !noalias !89
+  %.58.i25.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.2.i.i.i.i
+  %.64.i26.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.2.i.i.i.i
+  %.80.i27.2.i.i.i.i = fadd contract double %.58.i25.2.i.i.i.i, %.64.i26.2.i.i.i.i
+  %.46.i28.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.2.i.i.i.i
+  %.52.i29.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.2.i.i.i.i
+  %.70.i30.2.i.i.i.i = fsub contract double %.46.i28.2.i.i.i.i, %.52.i29.2.i.i.i.i
+  store double %.70.i30.2.i.i.i.i, ptr %scevgep160.2.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.2.i.i.i.i, ptr %scevgep161.2.i.i.i.i, align 8, !noalias !89
+  %.1364.2.1.2.i.i.i.i = load double, ptr %scevgep158.2.i.i.i.i, align 8, !noalias !89
+  %.1366.2.1.2.i.i.i.i = load double, ptr %scevgep159.2.i.i.i.i, align 8, !noalias !89
+  %.58.i25.1.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.1.2.i.i.i.i
+  %.64.i26.1.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.1.2.i.i.i.i
+  %.80.i27.1.2.i.i.i.i = fadd contract double %.58.i25.1.2.i.i.i.i, %.64.i26.1.2.i.i.i.i
+  %.46.i28.1.2.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.1.2.i.i.i.i
+  %.52.i29.1.2.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.1.2.i.i.i.i
+  %.70.i30.1.2.i.i.i.i = fsub contract double %.46.i28.1.2.i.i.i.i, %.52.i29.1.2.i.i.i.i
+  store double %.70.i30.1.2.i.i.i.i, ptr %scevgep158.2.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.1.2.i.i.i.i, ptr %scevgep159.2.i.i.i.i, align 8, !noalias !89
+  %.1364.2.3.i.i.i.i = load double, ptr %scevgep160.3.i.i.i.i, align 8, !noalias !89
+  %.1366.2.3.i.i.i.i = load double, ptr %scevgep161.3.i.i.i.i, align 8, !noalias !89
+  %.58.i25.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.3.i.i.i.i
+  %.64.i26.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.3.i.i.i.i
+  %.80.i27.3.i.i.i.i = fadd contract double %.58.i25.3.i.i.i.i, %.64.i26.3.i.i.i.i
+  %.46.i28.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.3.i.i.i.i
+  %.52.i29.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.3.i.i.i.i
+  %.70.i30.3.i.i.i.i = fsub contract double %.46.i28.3.i.i.i.i, %.52.i29.3.i.i.i.i
+  store double %.70.i30.3.i.i.i.i, ptr %scevgep160.3.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.3.i.i.i.i, ptr %scevgep161.3.i.i.i.i, align 8, !noalias !89
+  %.1364.2.1.3.i.i.i.i = load double, ptr %scevgep158.3.i.i.i.i, align 8, !noalias !89
+  %.1366.2.1.3.i.i.i.i = load double, ptr %scevgep159.3.i.i.i.i, align 8, !noalias !89
+  %.58.i25.1.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.1.3.i.i.i.i
+  %.64.i26.1.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.1.3.i.i.i.i
+  %.80.i27.1.3.i.i.i.i = fadd contract double %.58.i25.1.3.i.i.i.i, %.64.i26.1.3.i.i.i.i
+  %.46.i28.1.3.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.1.3.i.i.i.i
+  %.52.i29.1.3.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.1.3.i.i.i.i
+  %.70.i30.1.3.i.i.i.i = fsub contract double %.46.i28.1.3.i.i.i.i, %.52.i29.1.3.i.i.i.i
+  store double %.70.i30.1.3.i.i.i.i, ptr %scevgep158.3.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.1.3.i.i.i.i, ptr %scevgep159.3.i.i.i.i, align 8, !noalias !89
+  %.1364.2.4.i.i.i.i = load double, ptr %.2435.i.i.i.i.i, align 8, !noalias !89
+  %.1366.2.4.i.i.i.i = load double, ptr %.2438.i.i.i.i.i, align 8, !noalias !89
+  %.58.i25.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.4.i.i.i.i
+  %.64.i26.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.4.i.i.i.i
+  %.80.i27.4.i.i.i.i = fadd contract double %.58.i25.4.i.i.i.i, %.64.i26.4.i.i.i.i
+  %.46.i28.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.4.i.i.i.i
+  %.52.i29.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.4.i.i.i.i
+  %.70.i30.4.i.i.i.i = fsub contract double %.46.i28.4.i.i.i.i, %.52.i29.4.i.i.i.i
+  store double %.70.i30.4.i.i.i.i, ptr %.2435.i.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.4.i.i.i.i, ptr %.2438.i.i.i.i.i, align 8, !noalias !89
+  %.1364.2.1.4.i.i.i.i = load double, ptr %scevgep158.4.i.i.i.i, align 8, !noalias !89
+  %.1366.2.1.4.i.i.i.i = load double, ptr %scevgep159.4.i.i.i.i, align 8, !noalias !89
+  %.58.i25.1.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.1.4.i.i.i.i
+  %.64.i26.1.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.1.4.i.i.i.i
+  %.80.i27.1.4.i.i.i.i = fadd contract double %.58.i25.1.4.i.i.i.i, %.64.i26.1.4.i.i.i.i
+  %.46.i28.1.4.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.1.4.i.i.i.i
+  %.52.i29.1.4.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.1.4.i.i.i.i
+  %.70.i30.1.4.i.i.i.i = fsub contract double %.46.i28.1.4.i.i.i.i, %.52.i29.1.4.i.i.i.i
+  store double %.70.i30.1.4.i.i.i.i, ptr %scevgep158.4.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.1.4.i.i.i.i, ptr %scevgep159.4.i.i.i.i, align 8, !noalias !89
+  %.1364.2.5.i.i.i.i = load double, ptr %scevgep160.5.i.i.i.i, align 8, !noalias !89
+  %.1366.2.5.i.i.i.i = load double, ptr %scevgep161.5.i.i.i.i, align 8, !noalias !89
+  %.58.i25.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.5.i.i.i.i
+  %.64.i26.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.5.i.i.i.i
+  %.80.i27.5.i.i.i.i = fadd contract double %.58.i25.5.i.i.i.i, %.64.i26.5.i.i.i.i
+  %.46.i28.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.5.i.i.i.i
+  %.52.i29.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.5.i.i.i.i
+  %.70.i30.5.i.i.i.i = fsub contract double %.46.i28.5.i.i.i.i, %.52.i29.5.i.i.i.i
+  store double %.70.i30.5.i.i.i.i, ptr %scevgep160.5.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.5.i.i.i.i, ptr %scevgep161.5.i.i.i.i, align 8, !noalias !89
+  %.1364.2.1.5.i.i.i.i = load double, ptr %scevgep158.5.i.i.i.i, align 8, !noalias !89
+  %.1366.2.1.5.i.i.i.i = load double, ptr %scevgep159.5.i.i.i.i, align 8, !noalias !89
+  %.58.i25.1.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.1.5.i.i.i.i
+  %.64.i26.1.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.1.5.i.i.i.i
+  %.80.i27.1.5.i.i.i.i = fadd contract double %.58.i25.1.5.i.i.i.i, %.64.i26.1.5.i.i.i.i
+  %.46.i28.1.5.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.1.5.i.i.i.i
+  %.52.i29.1.5.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.1.5.i.i.i.i
+  %.70.i30.1.5.i.i.i.i = fsub contract double %.46.i28.1.5.i.i.i.i, %.52.i29.1.5.i.i.i.i
+  store double %.70.i30.1.5.i.i.i.i, ptr %scevgep158.5.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.1.5.i.i.i.i, ptr %scevgep159.5.i.i.i.i, align 8, !noalias !89
+  %.1364.2.6.i.i.i.i = load double, ptr %scevgep160.6.i.i.i.i, align 8, !noalias !89
+  %.1366.2.6.i.i.i.i = load double, ptr %scevgep161.6.i.i.i.i, align 8, !noalias !89
+  %.58.i25.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.6.i.i.i.i
+  %.64.i26.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.6.i.i.i.i
+  %.80.i27.6.i.i.i.i = fadd contract double %.58.i25.6.i.i.i.i, %.64.i26.6.i.i.i.i
+  %.46.i28.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.6.i.i.i.i
+  %.52.i29.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.6.i.i.i.i
+  %.70.i30.6.i.i.i.i = fsub contract double %.46.i28.6.i.i.i.i, %.52.i29.6.i.i.i.i
+  store double %.70.i30.6.i.i.i.i, ptr %scevgep160.6.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.6.i.i.i.i, ptr %scevgep161.6.i.i.i.i, align 8, !noalias !89
+  %.1364.2.1.6.i.i.i.i = load double, ptr %scevgep158.6.i.i.i.i, align 8, !noalias !89
+  %.1366.2.1.6.i.i.i.i = load double, ptr %scevgep159.6.i.i.i.i, align 8, !noalias !89
+  %.58.i25.1.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.1.6.i.i.i.i
+  %.64.i26.1.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.1.6.i.i.i.i
+  %.80.i27.1.6.i.i.i.i = fadd contract double %.58.i25.1.6.i.i.i.i, %.64.i26.1.6.i.i.i.i
+  %.46.i28.1.6.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.1.6.i.i.i.i
+  %.52.i29.1.6.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.1.6.i.i.i.i
+  %.70.i30.1.6.i.i.i.i = fsub contract double %.46.i28.1.6.i.i.i.i, %.52.i29.1.6.i.i.i.i
+  store double %.70.i30.1.6.i.i.i.i, ptr %scevgep158.6.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.1.6.i.i.i.i, ptr %scevgep159.6.i.i.i.i, align 8, !noalias !89
+  %.1364.2.7.i.i.i.i = load double, ptr %scevgep160.7.i.i.i.i, align 8, !noalias !89
+  %.1366.2.7.i.i.i.i = load double, ptr %scevgep161.7.i.i.i.i, align 8, !noalias !89
+  %.58.i25.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.7.i.i.i.i
+  %.64.i26.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.7.i.i.i.i
+  %.80.i27.7.i.i.i.i = fadd contract double %.58.i25.7.i.i.i.i, %.64.i26.7.i.i.i.i
+  %.46.i28.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.7.i.i.i.i
+  %.52.i29.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.7.i.i.i.i
+  %.70.i30.7.i.i.i.i = fsub contract double %.46.i28.7.i.i.i.i, %.52.i29.7.i.i.i.i
+  store double %.70.i30.7.i.i.i.i, ptr %scevgep160.7.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.7.i.i.i.i, ptr %scevgep161.7.i.i.i.i, align 8, !noalias !89
+  %.1364.2.1.7.i.i.i.i = load double, ptr %scevgep158.7.i.i.i.i, align 8, !noalias !89
+  %.1366.2.1.7.i.i.i.i = load double, ptr %scevgep159.7.i.i.i.i, align 8, !noalias !89
+  %.58.i25.1.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1364.2.1.7.i.i.i.i
+  %.64.i26.1.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1366.2.1.7.i.i.i.i
+  %.80.i27.1.7.i.i.i.i = fadd contract double %.58.i25.1.7.i.i.i.i, %.64.i26.1.7.i.i.i.i
+  %.46.i28.1.7.i.i.i.i = fmul contract double %.1045.sroa.0.0.i.i.i.i, %.1364.2.1.7.i.i.i.i
+  %.52.i29.1.7.i.i.i.i = fmul contract double %.1045.sroa.4.0.i.i.i.i, %.1366.2.1.7.i.i.i.i
+  %.70.i30.1.7.i.i.i.i = fsub contract double %.46.i28.1.7.i.i.i.i, %.52.i29.1.7.i.i.i.i
+  store double %.70.i30.1.7.i.i.i.i, ptr %scevgep158.7.i.i.i.i, align 8, !noalias !89
+  store double %.80.i27.1.7.i.i.i.i, ptr %scevgep159.7.i.i.i.i, align 8, !noalias !89
+  br label %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i
+
+_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i: ; preds = %B924.if.i.i.i.i, %B282.endif.i110.i.i.i.i, %B174.endif.i87.i.i.i.i, %B282.i108.i.i.i.i, %B132.i85.i.i.i.i, %B282.endif.i60.i.i.i.i, %B174.endif.i37.i.i.i.i, %B282.i58.i.i.i.i, %B132.i35.i.i.i.i, %B282.endif.i219.i.i.i.i.i, %B174.endif.i196.i.i.i.i.i, %B282.i217.i.i.i.i.i, %B132.i194.i.i.i.i.i, %B282.endif.i.i.i.i.i.i, %B174.endif.i.i.i.i.i.i, %B282.i.i.i.i.i.i, %B132.i.i.i.i.i.i, %B282.endif.i.i.i.i.i, %B174.endif.i.i.i.i.i, %B282.i.i.i.i.i, %B132.i.i.i.i.i
+  %excinfo.5.1.i.i.i = phi ptr [ %excinfo.5.0.i.i.i, %B924.if.i.i.i.i ], [ null, %B174.endif.i196.i.i.i.i.i ], [ null, %B132.i35.i.i.i.i ], [ null, %B132.i.i.i.i.i ], [ null, %B282.endif.i.i.i.i.i ], [ null, %B282.i.i.i.i.i ], [ null, %B174.endif.i.i.i.i.i ], [ null, %B282.endif.i60.i.i.i.i ], [ null, %B282.i58.i.i.i.i ], [ null, %B174.endif.i37.i.i.i.i ], [ null, %B132.i194.i.i.i.i.i ], [ null, %B132.i.i.i.i.i.i ], [ null, %B282.endif.i.i.i.i.i.i ], [ null, %B282.i.i.i.i.i.i ], [ null, %B174.endif.i.i.i.i.i.i ], [ null, %B282.endif.i219.i.i.i.i.i ], [ null, %B282.i217.i.i.i.i.i ], [ null, %B282.endif.i110.i.i.i.i ], [ null, %B282.i108.i.i.i.i ], [ null, %B174.endif.i87.i.i.i.i ], [ null, %B132.i85.i.i.i.i ]
+  %cond.i.i.i = phi i1 [ true, %B924.if.i.i.i.i ], [ false, %B174.endif.i196.i.i.i.i.i ], [ false, %B132.i35.i.i.i.i ], [ false, %B132.i.i.i.i.i ], [ false, %B282.endif.i.i.i.i.i ], [ false, %B282.i.i.i.i.i ], [ false, %B174.endif.i.i.i.i.i ], [ false, %B282.endif.i60.i.i.i.i ], [ false, %B282.i58.i.i.i.i ], [ false, %B174.endif.i37.i.i.i.i ], [ false, %B132.i194.i.i.i.i.i ], [ false, %B132.i.i.i.i.i.i ], [ false, %B282.endif.i.i.i.i.i.i ], [ false, %B282.i.i.i.i.i.i ], [ false, %B174.endif.i.i.i.i.i.i ], [ false, %B282.endif.i219.i.i.i.i.i ], [ false, %B282.i217.i.i.i.i.i ], [ false, %B282.endif.i110.i.i.i.i ], [ false, %B282.i108.i.i.i.i ], [ false, %B174.endif.i87.i.i.i.i ], [ false, %B132.i85.i.i.i.i ]
+  %common.ret.op.i.i.i.i = phi i32 [ 0, %B924.if.i.i.i.i ], [ 1, %B174.endif.i196.i.i.i.i.i ], [ 1, %B132.i35.i.i.i.i ], [ 1, %B132.i.i.i.i.i ], [ 1, %B282.endif.i.i.i.i.i ], [ 1, %B282.i.i.i.i.i ], [ 1, %B174.endif.i.i.i.i.i ], [ 1, %B282.endif.i60.i.i.i.i ], [ 1, %B282.i58.i.i.i.i ], [ 1, %B174.endif.i37.i.i.i.i ], [ 1, %B132.i194.i.i.i.i.i ], [ 1, %B132.i.i.i.i.i.i ], [ 1, %B282.endif.i.i.i.i.i.i ], [ 1, %B282.i.i.i.i.i.i ], [ 1, %B174.endif.i.i.i.i.i.i ], [ 1, %B282.endif.i219.i.i.i.i.i ], [ 1, %B282.i217.i.i.i.i.i ], [ 1, %B282.endif.i110.i.i.i.i ], [ 1, %B282.i108.i.i.i.i ], [ 1, %B174.endif.i87.i.i.i.i ], [ 1, %B132.i85.i.i.i.i ]
+  call void @llvm.lifetime.end.p0(ptr nonnull %.584.i.i.i.i), !noalias !82
+  call void @llvm.lifetime.end.p0(ptr nonnull %.621.i.i.i.i), !noalias !82
+  call void @llvm.lifetime.end.p0(ptr nonnull %.700.i.i.i.i), !noalias !82
+  call void @llvm.lifetime.end.p0(ptr nonnull %.783.i.i.i.i), !noalias !82
+  call void @llvm.lifetime.end.p0(ptr nonnull %.911.i.i.i.i), !noalias !82
+  call void @llvm.lifetime.end.p0(ptr nonnull %.963.i.i.i.i), !noalias !82
+  br i1 %cond.i.i.i, label %B942.if.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, !prof !20
+
+B942.if.i.i.i:                                    ; preds = %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i
+  %.333.i.i.i = add nuw nsw i64 %.326290306.i.i.i, 1
+  %scevgep123.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -376
+  %.981.i.i.i = load double, ptr %.80.i1.i.i.i.i, align 8, !noalias !82
+  %.993.i.i.i = fdiv contract double %.981.i.i.i, 1.000000e-30
+  store double %.993.i.i.i, ptr %scevgep123.i.i.i, align 8, !noalias !82
+  %.981.1.i.i.i = load double, ptr %sunkaddr185.i.i.i.i, align 8, !noalias !82
+  %.993.1.i.i.i = fdiv contract double %.981.1.i.i.i, 1.000000e-30
+  %scevgep122.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -368
+  store double %.993.1.i.i.i, ptr %scevgep122.i.i.i, align 8, !noalias !82
+  %.981.2.i.i.i = load double, ptr %.225.i.i.i.i.i, align 8, !noalias !82
+  %.993.2.i.i.i = fdiv contract double %.981.2.i.i.i, 1.000000e-30
+  %scevgep121.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -360
+  store double %.993.2.i.i.i, ptr %scevgep121.i.i.i, align 8, !noalias !82
+  %.981.3.i.i.i = load double, ptr %.448.i.i.i.i.i, align 8, !noalias !82
+  %.993.3.i.i.i = fdiv contract double %.981.3.i.i.i, 1.000000e-30
+  %scevgep120.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -352
+  store double %.993.3.i.i.i, ptr %scevgep120.i.i.i, align 8, !noalias !82
+  %.981.4.i.i.i = load double, ptr %.591.i.i.i.i.i, align 8, !noalias !82
+  %.993.4.i.i.i = fdiv contract double %.981.4.i.i.i, 1.000000e-30
+  %scevgep119.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -344
+  store double %.993.4.i.i.i, ptr %scevgep119.i.i.i, align 8, !noalias !82
+  %.981.5.i.i.i = load double, ptr %sunkaddr185.2.i.i.i.i, align 8, !noalias !82
+  %.993.5.i.i.i = fdiv contract double %.981.5.i.i.i, 1.000000e-30
+  %scevgep118.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -336
+  store double %.993.5.i.i.i, ptr %scevgep118.i.i.i, align 8, !noalias !82
+  %.981.6.i.i.i = load double, ptr %.1114.i.i.i.i.i, align 8, !noalias !82
+  %.993.6.i.i.i = fdiv contract double %.981.6.i.i.i, 1.000000e-30
+  %scevgep117.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -328
+  store double %.993.6.i.i.i, ptr %scevgep117.i.i.i, align 8, !noalias !82
+  %.981.7.i.i.i = load double, ptr %.1648.i.i.i.i.i, align 8, !noalias !82
+  %.993.7.i.i.i = fdiv contract double %.981.7.i.i.i, 1.000000e-30
+  %scevgep116.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -320
+  store double %.993.7.i.i.i, ptr %scevgep116.i.i.i, align 8, !noalias !82
+  %.981.8.i.i.i = load double, ptr %sunkaddr181.4.i.i.i.i, align 8, !noalias !82
+  %.993.8.i.i.i = fdiv contract double %.981.8.i.i.i, 1.000000e-30
+  %scevgep115.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -312
+  store double %.993.8.i.i.i, ptr %scevgep115.i.i.i, align 8, !noalias !82
+  %.981.9.i.i.i = load double, ptr %.2659.i.i.i.i.i, align 8, !noalias !82
+  %.993.9.i.i.i = fdiv contract double %.981.9.i.i.i, 1.000000e-30
+  %scevgep114.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -304
+  store double %.993.9.i.i.i, ptr %scevgep114.i.i.i, align 8, !noalias !82
+  %.981.10.i.i.i = load double, ptr %.3497.i.i.i.i.i, align 8, !noalias !82
+  %.993.10.i.i.i = fdiv contract double %.981.10.i.i.i, 1.000000e-30
+  %scevgep113.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -296
+  store double %.993.10.i.i.i, ptr %scevgep113.i.i.i, align 8, !noalias !82
+  %.981.11.i.i.i = load double, ptr %.4478.i.i.i.i.i, align 8, !noalias !82
+  %.993.11.i.i.i = fdiv contract double %.981.11.i.i.i, 1.000000e-30
+  %scevgep112.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -288
+  store double %.993.11.i.i.i, ptr %scevgep112.i.i.i, align 8, !noalias !82
+  %.981.12.i.i.i = load double, ptr %sunkaddr181.6.i.i.i.i, align 8, !noalias !82
+  %.993.12.i.i.i = fdiv contract double %.981.12.i.i.i, 1.000000e-30
+  %scevgep111.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -280
+  store double %.993.12.i.i.i, ptr %scevgep111.i.i.i, align 8, !noalias !82
+  %.981.13.i.i.i = load double, ptr %sunkaddr185.6.i.i.i.i, align 8, !noalias !82
+  %.993.13.i.i.i = fdiv contract double %.981.13.i.i.i, 1.000000e-30
+  %scevgep110.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -272
+  store double %.993.13.i.i.i, ptr %scevgep110.i.i.i, align 8, !noalias !82
+  %.981.14.i.i.i = load double, ptr %sunkaddr181.7.i.i.i.i, align 8, !noalias !82
+  %.993.14.i.i.i = fdiv contract double %.981.14.i.i.i, 1.000000e-30
+  %scevgep109.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -264
+  store double %.993.14.i.i.i, ptr %scevgep109.i.i.i, align 8, !noalias !82
+  %.981.15.i.i.i = load double, ptr %sunkaddr185.7.i.i.i.i, align 8, !noalias !82
+  %.993.15.i.i.i = fdiv contract double %.981.15.i.i.i, 1.000000e-30
+  %scevgep108.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -256
+  store double %.993.15.i.i.i, ptr %scevgep108.i.i.i, align 8, !noalias !82
+  %.981.170.i.i.i = load double, ptr %scevgep170.i.i.i.i, align 8, !noalias !82
+  %.993.171.i.i.i = fdiv contract double %.981.170.i.i.i, 1.000000e-30
+  %scevgep125.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -248
+  store double %.993.171.i.i.i, ptr %scevgep125.i.i.i, align 8, !noalias !82
+  %.981.1.1.i.i.i = load double, ptr %scevgep162.i.i.i.i, align 8, !noalias !82
+  %.993.1.1.i.i.i = fdiv contract double %.981.1.1.i.i.i, 1.000000e-30
+  %scevgep107.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -240
+  store double %.993.1.1.i.i.i, ptr %scevgep107.i.i.i, align 8, !noalias !82
+  %.981.2.1.i.i.i = load double, ptr %scevgep170.1.i.i.i.i, align 8, !noalias !82
+  %.993.2.1.i.i.i = fdiv contract double %.981.2.1.i.i.i, 1.000000e-30
+  %scevgep106.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -232
+  store double %.993.2.1.i.i.i, ptr %scevgep106.i.i.i, align 8, !noalias !82
+  %.981.3.1.i.i.i = load double, ptr %scevgep168.1.i.i.i.i, align 8, !noalias !82
+  %.993.3.1.i.i.i = fdiv contract double %.981.3.1.i.i.i, 1.000000e-30
+  %scevgep105.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -224
+  store double %.993.3.1.i.i.i, ptr %scevgep105.i.i.i, align 8, !noalias !82
+  %.981.4.1.i.i.i = load double, ptr %scevgep170.2.i.i.i.i, align 8, !noalias !82
+  %.993.4.1.i.i.i = fdiv contract double %.981.4.1.i.i.i, 1.000000e-30
+  %scevgep104.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -216
+  store double %.993.4.1.i.i.i, ptr %scevgep104.i.i.i, align 8, !noalias !82
+  %.981.5.1.i.i.i = load double, ptr %.893.i.i.i.i.i, align 8, !noalias !82
+  %.993.5.1.i.i.i = fdiv contract double %.981.5.1.i.i.i, 1.000000e-30
+  %scevgep103.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -208
+  store double %.993.5.1.i.i.i, ptr %scevgep103.i.i.i, align 8, !noalias !82
+  %.981.6.1.i.i.i = load double, ptr %.1505.i.i.i.i.i, align 8, !noalias !82
+  %.993.6.1.i.i.i = fdiv contract double %.981.6.1.i.i.i, 1.000000e-30
+  %scevgep102.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -200
+  store double %.993.6.1.i.i.i, ptr %scevgep102.i.i.i, align 8, !noalias !82
+  %.981.7.1.i.i.i = load double, ptr %scevgep168.3.i.i.i.i, align 8, !noalias !82
+  %.993.7.1.i.i.i = fdiv contract double %.981.7.1.i.i.i, 1.000000e-30
+  %scevgep101.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -192
+  store double %.993.7.1.i.i.i, ptr %scevgep101.i.i.i, align 8, !noalias !82
+  %.981.8.1.i.i.i = load double, ptr %.1950.i.i.i.i.i, align 8, !noalias !82
+  %.993.8.1.i.i.i = fdiv contract double %.981.8.1.i.i.i, 1.000000e-30
+  %scevgep100.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -184
+  store double %.993.8.1.i.i.i, ptr %scevgep100.i.i.i, align 8, !noalias !82
+  %.981.9.1.i.i.i = load double, ptr %.3050.i.i.i.i.i, align 8, !noalias !82
+  %.993.9.1.i.i.i = fdiv contract double %.981.9.1.i.i.i, 1.000000e-30
+  %scevgep99.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -176
+  store double %.993.9.1.i.i.i, ptr %scevgep99.i.i.i, align 8, !noalias !82
+  %.981.10.1.i.i.i = load double, ptr %.4249.i.i.i.i.i, align 8, !noalias !82
+  %.993.10.1.i.i.i = fdiv contract double %.981.10.1.i.i.i, 1.000000e-30
+  %scevgep98.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -168
+  store double %.993.10.1.i.i.i, ptr %scevgep98.i.i.i, align 8, !noalias !82
+  %.981.11.1.i.i.i = load double, ptr %.4966.i.i.i.i.i, align 8, !noalias !82
+  %.993.11.1.i.i.i = fdiv contract double %.981.11.1.i.i.i, 1.000000e-30
+  %scevgep97.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -160
+  store double %.993.11.1.i.i.i, ptr %scevgep97.i.i.i, align 8, !noalias !82
+  %.981.12.1.i.i.i = load double, ptr %scevgep170.6.i.i.i.i, align 8, !noalias !82
+  %.993.12.1.i.i.i = fdiv contract double %.981.12.1.i.i.i, 1.000000e-30
+  %scevgep96.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -152
+  store double %.993.12.1.i.i.i, ptr %scevgep96.i.i.i, align 8, !noalias !82
+  %.981.13.1.i.i.i = load double, ptr %scevgep168.6.i.i.i.i, align 8, !noalias !82
+  %.993.13.1.i.i.i = fdiv contract double %.981.13.1.i.i.i, 1.000000e-30
+  %scevgep95.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -144
+  store double %.993.13.1.i.i.i, ptr %scevgep95.i.i.i, align 8, !noalias !82
+  %.981.14.1.i.i.i = load double, ptr %scevgep170.7.i.i.i.i, align 8, !noalias !82
+  %.993.14.1.i.i.i = fdiv contract double %.981.14.1.i.i.i, 1.000000e-30
+  %scevgep94.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -136
+  store double %.993.14.1.i.i.i, ptr %scevgep94.i.i.i, align 8, !noalias !82
+  %.981.15.1.i.i.i = load double, ptr %scevgep168.7.i.i.i.i, align 8, !noalias !82
+  %.993.15.1.i.i.i = fdiv contract double %.981.15.1.i.i.i, 1.000000e-30
+  %scevgep93.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -128
+  store double %.993.15.1.i.i.i, ptr %scevgep93.i.i.i, align 8, !noalias !82
+  %.981.273.i.i.i = load double, ptr %scevgep161.i.i.i.i, align 8, !noalias !82
+  %.993.274.i.i.i = fdiv contract double %.981.273.i.i.i, 1.000000e-30
+  %scevgep124.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -120
+  store double %.993.274.i.i.i, ptr %scevgep124.i.i.i, align 8, !noalias !82
+  %.981.1.2.i.i.i = load double, ptr %scevgep.i.i.i.i, align 8, !noalias !82
+  %.993.1.2.i.i.i = fdiv contract double %.981.1.2.i.i.i, 1.000000e-30
+  %scevgep92.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -112
+  store double %.993.1.2.i.i.i, ptr %scevgep92.i.i.i, align 8, !noalias !82
+  %.981.2.2.i.i.i = load double, ptr %scevgep161.1.i.i.i.i, align 8, !noalias !82
+  %.993.2.2.i.i.i = fdiv contract double %.981.2.2.i.i.i, 1.000000e-30
+  %scevgep91.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -104
+  store double %.993.2.2.i.i.i, ptr %scevgep91.i.i.i, align 8, !noalias !82
+  %.981.3.2.i.i.i = load double, ptr %scevgep159.1.i.i.i.i, align 8, !noalias !82
+  %.993.3.2.i.i.i = fdiv contract double %.981.3.2.i.i.i, 1.000000e-30
+  %scevgep90.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -96
+  store double %.993.3.2.i.i.i, ptr %scevgep90.i.i.i, align 8, !noalias !82
+  %.981.4.2.i.i.i = load double, ptr %scevgep161.2.i.i.i.i, align 8, !noalias !82
+  %.993.4.2.i.i.i = fdiv contract double %.981.4.2.i.i.i, 1.000000e-30
+  %scevgep89.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -88
+  store double %.993.4.2.i.i.i, ptr %scevgep89.i.i.i, align 8, !noalias !82
+  %.981.5.2.i.i.i = load double, ptr %scevgep159.2.i.i.i.i, align 8, !noalias !82
+  %.993.5.2.i.i.i = fdiv contract double %.981.5.2.i.i.i, 1.000000e-30
+  %scevgep88.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -80
+  store double %.993.5.2.i.i.i, ptr %scevgep88.i.i.i, align 8, !noalias !82
+  %.981.6.2.i.i.i = load double, ptr %scevgep161.3.i.i.i.i, align 8, !noalias !82
+  %.993.6.2.i.i.i = fdiv contract double %.981.6.2.i.i.i, 1.000000e-30
+  %scevgep87.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -72
+  store double %.993.6.2.i.i.i, ptr %scevgep87.i.i.i, align 8, !noalias !82
+  %.981.7.2.i.i.i = load double, ptr %scevgep159.3.i.i.i.i, align 8, !noalias !82
+  %.993.7.2.i.i.i = fdiv contract double %.981.7.2.i.i.i, 1.000000e-30
+  %scevgep86.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -64
+  store double %.993.7.2.i.i.i, ptr %scevgep86.i.i.i, align 8, !noalias !82
+  %.981.8.2.i.i.i = load double, ptr %.2438.i.i.i.i.i, align 8, !noalias !82
+  %.993.8.2.i.i.i = fdiv contract double %.981.8.2.i.i.i, 1.000000e-30
+  %scevgep85.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -56
+  store double %.993.8.2.i.i.i, ptr %scevgep85.i.i.i, align 8, !noalias !82
+  %.981.9.2.i.i.i = load double, ptr %scevgep159.4.i.i.i.i, align 8, !noalias !82
+  %.993.9.2.i.i.i = fdiv contract double %.981.9.2.i.i.i, 1.000000e-30
+  %scevgep84.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -48
+  store double %.993.9.2.i.i.i, ptr %scevgep84.i.i.i, align 8, !noalias !82
+  %.981.10.2.i.i.i = load double, ptr %scevgep161.5.i.i.i.i, align 8, !noalias !82
+  %.993.10.2.i.i.i = fdiv contract double %.981.10.2.i.i.i, 1.000000e-30
+  %scevgep83.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -40
+  store double %.993.10.2.i.i.i, ptr %scevgep83.i.i.i, align 8, !noalias !82
+  %.981.11.2.i.i.i = load double, ptr %scevgep159.5.i.i.i.i, align 8, !noalias !82
+  %.993.11.2.i.i.i = fdiv contract double %.981.11.2.i.i.i, 1.000000e-30
+  %scevgep82.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -32
+  store double %.993.11.2.i.i.i, ptr %scevgep82.i.i.i, align 8, !noalias !82
+  %.981.12.2.i.i.i = load double, ptr %scevgep161.6.i.i.i.i, align 8, !noalias !82
+  %.993.12.2.i.i.i = fdiv contract double %.981.12.2.i.i.i, 1.000000e-30
+  %scevgep81.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -24
+  store double %.993.12.2.i.i.i, ptr %scevgep81.i.i.i, align 8, !noalias !82
+  %.981.13.2.i.i.i = load double, ptr %scevgep159.6.i.i.i.i, align 8, !noalias !82
+  %.993.13.2.i.i.i = fdiv contract double %.981.13.2.i.i.i, 1.000000e-30
+  %scevgep80.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -16
+  store double %.993.13.2.i.i.i, ptr %scevgep80.i.i.i, align 8, !noalias !82
+  %.981.14.2.i.i.i = load double, ptr %scevgep161.7.i.i.i.i, align 8, !noalias !82
+  %.993.14.2.i.i.i = fdiv contract double %.981.14.2.i.i.i, 1.000000e-30
+  %scevgep79.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 -8
+  store double %.993.14.2.i.i.i, ptr %scevgep79.i.i.i, align 8, !noalias !82
+  %.981.15.2.i.i.i = load double, ptr %scevgep159.7.i.i.i.i, align 8, !noalias !82
+  %.993.15.2.i.i.i = fdiv contract double %.981.15.2.i.i.i, 1.000000e-30
+  store double %.993.15.2.i.i.i, ptr %lsr.iv.i.i.i, align 8, !noalias !82
+  %scevgep78.i.i.i = getelementptr i8, ptr %lsr.iv.i.i.i, i64 384
+  %exitcond319.not.i.i.i = icmp eq i64 %.333.i.i.i, 5
+  br i1 %exitcond319.not.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i, label %B238.if.i.i.i
+
+_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B942.if.i.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i
+  %excinfo.3.0.i.i = phi ptr [ null, %B942.if.i.i.i ], [ %excinfo.5.1.i.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i ]
+  %common.ret.op.i.i.i = phi i32 [ 0, %B942.if.i.i.i ], [ %common.ret.op.i.i.i.i, %_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE.exit.i.i.i ]
   %cond1.i.i = icmp eq i32 %common.ret.op.i.i.i, 0
   br i1 %cond1.i.i, label %B0.endif.endif.endif.i.i, label %B0.if, !prof !20
 
@@ -4106,127 +4188,127 @@ B0.endif.endif.endif.i.i:                         ; preds = %_ZN17bnserve_surrog
 
 B80.if.i.i.i:                                     ; preds = %B368.endif.i.i.i, %B0.endif.endif.endif.i.i
   %excinfo.1.0.i.i.i = phi ptr [ null, %B0.endif.endif.endif.i.i ], [ %excinfo.1.1.i.i.i, %B368.endif.i.i.i ]
-  %lsr.iv.i6.i.i = phi i64 [ 0, %B0.endif.endif.endif.i.i ], [ %lsr.iv.next.i52.i.i, %B368.endif.i.i.i ]
-  %.202.i.i.i = icmp eq i64 %lsr.iv.i6.i.i, 0
-  %..i7.i.i = select i1 %.202.i.i.i, double 1.000000e-30, double 0.000000e+00
-  %.266.i.i.i = load double, ptr %sunkaddr177.i.i.i, align 8, !noalias !101
-  %.268.i.i.i = icmp eq i64 %lsr.iv.i6.i.i, 192
+  %lsr.iv.i7.i.i = phi i64 [ 0, %B0.endif.endif.endif.i.i ], [ %lsr.iv.next.i.i.i, %B368.endif.i.i.i ]
+  %.202.i.i.i = icmp eq i64 %lsr.iv.i7.i.i, 0
+  %..i8.i.i = select i1 %.202.i.i.i, double 1.000000e-30, double 0.000000e+00
+  %.266.i.i.i = load double, ptr %sunkaddr42.i.i.i, align 8, !noalias !101
+  %.268.i.i.i = icmp eq i64 %lsr.iv.i7.i.i, 192
   %"$phi258.4.2.1.i.i.i" = select i1 %.268.i.i.i, double 1.000000e-30, double 0.000000e+00
-  %.331.i.i.i = load double, ptr %sunkaddr179.i.i.i, align 8, !noalias !101
-  %.333.i.i.i = icmp eq i64 %lsr.iv.i6.i.i, 256
-  %"$phi368.4.2.1.i.i.i" = select i1 %.333.i.i.i, double 1.000000e-30, double 0.000000e+00
-  %.58.i.i.i.i8.i.i = fmul contract double %.403.i.i.i, %..i7.i.i
-  %.80.i.i.i.i9.i.i = fadd contract double %.58.i.i.i.i8.i.i, %.58.i.i.i.i8.i.i
-  %.52.i.i.i.i10.i.i = select contract i1 %.202.i.i.i, double 0x3379B604AAACA627, double 0.000000e+00
-  %.70.i.i.i.i11.i.i = fsub contract double %.46.i.i.i.i2.i.i, %.52.i.i.i.i10.i.i
-  %.45.i.i.i.i12.i.i = tail call contract double @llvm.fabs.f64(double %.70.i.i.i.i11.i.i)
-  %.50.i.i.i.i13.i.i = tail call contract double @llvm.fabs.f64(double %.80.i.i.i.i9.i.i)
-  %.56.i.i.i.i14.i.i = fcmp contract ult double %.45.i.i.i.i12.i.i, %.50.i.i.i.i13.i.i
-  br i1 %.56.i.i.i.i14.i.i, label %B270.i.i.i.i69.i.i, label %B132.i.i.i.i15.i.i
+  %.331.i.i.i = load double, ptr %sunkaddr44.i.i.i, align 8, !noalias !101
+  %.333.i9.i.i = icmp eq i64 %lsr.iv.i7.i.i, 256
+  %"$phi368.4.2.1.i.i.i" = select i1 %.333.i9.i.i, double 1.000000e-30, double 0.000000e+00
+  %.58.i.i.i.i10.i.i = fmul contract double %.403.i.i.i, %..i8.i.i
+  %.80.i.i.i.i11.i.i = fadd contract double %.58.i.i.i.i10.i.i, %.58.i.i.i.i10.i.i
+  %.52.i.i.i.i12.i.i = select contract i1 %.202.i.i.i, double 0x3379B604AAACA627, double 0.000000e+00
+  %.70.i.i.i.i13.i.i = fsub contract double %.46.i.i.i.i2.i.i, %.52.i.i.i.i12.i.i
+  %.45.i.i.i.i14.i.i = tail call contract double @llvm.fabs.f64(double %.70.i.i.i.i13.i.i)
+  %.50.i.i.i.i15.i.i = tail call contract double @llvm.fabs.f64(double %.80.i.i.i.i11.i.i)
+  %.56.i.i.i.i16.i.i = fcmp contract ult double %.45.i.i.i.i14.i.i, %.50.i.i.i.i15.i.i
+  br i1 %.56.i.i.i.i16.i.i, label %B270.i.i.i.i78.i.i, label %B132.i.i.i.i17.i.i
 
-B132.i.i.i.i15.i.i:                               ; preds = %B80.if.i.i.i
-  %.59.i.i.i.i16.i.i = fcmp contract oeq double %.70.i.i.i.i11.i.i, 0.000000e+00
-  br i1 %.59.i.i.i.i16.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i.i.i.i17.i.i, !prof !93
+B132.i.i.i.i17.i.i:                               ; preds = %B80.if.i.i.i
+  %.59.i.i.i.i18.i.i = fcmp contract oeq double %.70.i.i.i.i13.i.i, 0.000000e+00
+  br i1 %.59.i.i.i.i18.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i.i.i.i19.i.i, !prof !93
 
-B270.i.i.i.i69.i.i:                               ; preds = %B80.if.i.i.i
-  %.132.i.i.i.i70.i.i = fcmp contract ult double %.50.i.i.i.i13.i.i, %.45.i.i.i.i12.i.i
-  br i1 %.132.i.i.i.i70.i.i, label %B0.endif.i.i29.i.i, label %B282.i.i.i.i71.i.i
+B270.i.i.i.i78.i.i:                               ; preds = %B80.if.i.i.i
+  %.132.i.i.i.i79.i.i = fcmp contract ult double %.50.i.i.i.i15.i.i, %.45.i.i.i.i14.i.i
+  br i1 %.132.i.i.i.i79.i.i, label %B0.endif.i.i31.i.i, label %B282.i.i.i.i80.i.i
 
-B282.i.i.i.i71.i.i:                               ; preds = %B270.i.i.i.i69.i.i
-  %.136.i.i.i.i72.i.i = fcmp contract oeq double %.80.i.i.i.i9.i.i, 0.000000e+00
-  br i1 %.136.i.i.i.i72.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i.i.i.i73.i.i, !prof !24
+B282.i.i.i.i80.i.i:                               ; preds = %B270.i.i.i.i78.i.i
+  %.136.i.i.i.i81.i.i = fcmp contract oeq double %.80.i.i.i.i11.i.i, 0.000000e+00
+  br i1 %.136.i.i.i.i81.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i.i.i.i82.i.i, !prof !24
 
-B174.endif.i.i.i.i17.i.i:                         ; preds = %B132.i.i.i.i15.i.i
-  %.89.i.i.i.i18.i.i = fdiv contract double %.80.i.i.i.i9.i.i, %.70.i.i.i.i11.i.i
-  %.91.i.i.i.i19.i.i = fmul contract double %.80.i.i.i.i9.i.i, %.89.i.i.i.i18.i.i
-  %.93.i.i.i.i20.i.i = fadd contract double %.70.i.i.i.i11.i.i, %.91.i.i.i.i19.i.i
-  %.98.i.i.i.i21.i.i = fcmp contract oeq double %.93.i.i.i.i20.i.i, 0.000000e+00
-  br i1 %.98.i.i.i.i21.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i.i.i.i22.i.i, !prof !24
+B174.endif.i.i.i.i19.i.i:                         ; preds = %B132.i.i.i.i17.i.i
+  %.89.i.i.i.i20.i.i = fdiv contract double %.80.i.i.i.i11.i.i, %.70.i.i.i.i13.i.i
+  %.91.i.i.i.i21.i.i = fmul contract double %.80.i.i.i.i11.i.i, %.89.i.i.i.i20.i.i
+  %.93.i.i.i.i22.i.i = fadd contract double %.70.i.i.i.i13.i.i, %.91.i.i.i.i21.i.i
+  %.98.i.i.i.i23.i.i = fcmp contract oeq double %.93.i.i.i.i22.i.i, 0.000000e+00
+  br i1 %.98.i.i.i.i23.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i.i.i.i24.i.i, !prof !24
 
-B174.endif.endif.i.i.i.i22.i.i:                   ; preds = %B174.endif.i.i.i.i17.i.i
-  %.95.i.i.i.i23.i.i = fmul contract double %..i7.i.i, %.89.i.i.i.i18.i.i
-  %.97.i.i.i.i24.i.i = fadd contract double %.75.i.i.i, %.95.i.i.i.i23.i.i
-  %.105.i.i.i.i25.i.i = fdiv contract double %.97.i.i.i.i24.i.i, %.93.i.i.i.i20.i.i
-  %.107.i.i.i.i26.i.i = fmul contract double %.75.i.i.i, %.89.i.i.i.i18.i.i
-  %.109.i.i.i.i27.i.i = fsub contract double %..i7.i.i, %.107.i.i.i.i26.i.i
-  %.117.i.i.i.i28.i.i = fdiv contract double %.109.i.i.i.i27.i.i, %.93.i.i.i.i20.i.i
-  br label %B0.endif.i.i29.i.i
+B174.endif.endif.i.i.i.i24.i.i:                   ; preds = %B174.endif.i.i.i.i19.i.i
+  %.95.i.i.i.i25.i.i = fmul contract double %..i8.i.i, %.89.i.i.i.i20.i.i
+  %.97.i.i.i.i26.i.i = fadd contract double %.75.i.i.i, %.95.i.i.i.i25.i.i
+  %.105.i.i.i.i27.i.i = fdiv contract double %.97.i.i.i.i26.i.i, %.93.i.i.i.i22.i.i
+  %.107.i.i.i.i28.i.i = fmul contract double %.75.i.i.i, %.89.i.i.i.i20.i.i
+  %.109.i.i.i.i29.i.i = fsub contract double %..i8.i.i, %.107.i.i.i.i28.i.i
+  %.117.i.i.i.i30.i.i = fdiv contract double %.109.i.i.i.i29.i.i, %.93.i.i.i.i22.i.i
+  br label %B0.endif.i.i31.i.i
 
-B282.endif.i.i.i.i73.i.i:                         ; preds = %B282.i.i.i.i71.i.i
-  %.143.i.i.i.i74.i.i = fdiv contract double %.70.i.i.i.i11.i.i, %.80.i.i.i.i9.i.i
-  %.145.i.i.i.i75.i.i = fmul contract double %.70.i.i.i.i11.i.i, %.143.i.i.i.i74.i.i
-  %.147.i.i.i.i76.i.i = fadd contract double %.80.i.i.i.i9.i.i, %.145.i.i.i.i75.i.i
-  %.152.i.i.i.i77.i.i = fcmp contract oeq double %.147.i.i.i.i76.i.i, 0.000000e+00
-  br i1 %.152.i.i.i.i77.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i.i.i.i78.i.i, !prof !24
+B282.endif.i.i.i.i82.i.i:                         ; preds = %B282.i.i.i.i80.i.i
+  %.143.i.i.i.i83.i.i = fdiv contract double %.70.i.i.i.i13.i.i, %.80.i.i.i.i11.i.i
+  %.145.i.i.i.i84.i.i = fmul contract double %.70.i.i.i.i13.i.i, %.143.i.i.i.i83.i.i
+  %.147.i.i.i.i85.i.i = fadd contract double %.80.i.i.i.i11.i.i, %.145.i.i.i.i84.i.i
+  %.152.i.i.i.i86.i.i = fcmp contract oeq double %.147.i.i.i.i85.i.i, 0.000000e+00
+  br i1 %.152.i.i.i.i86.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i.i.i.i87.i.i, !prof !24
 
-B282.endif.endif.i.i.i.i78.i.i:                   ; preds = %B282.endif.i.i.i.i73.i.i
-  %.149.i.i.i.i79.i.i = fmul contract double %.75.i.i.i, %.143.i.i.i.i74.i.i
-  %.151.i.i.i.i80.i.i = fadd contract double %..i7.i.i, %.149.i.i.i.i79.i.i
-  %.159.i.i.i.i81.i.i = fdiv contract double %.151.i.i.i.i80.i.i, %.147.i.i.i.i76.i.i
-  %.161.i.i.i.i82.i.i = fmul contract double %..i7.i.i, %.143.i.i.i.i74.i.i
-  %.163.i.i.i.i83.i.i = fsub contract double %.161.i.i.i.i82.i.i, %.75.i.i.i
-  %.171.i.i.i.i84.i.i = fdiv contract double %.163.i.i.i.i83.i.i, %.147.i.i.i.i76.i.i
-  br label %B0.endif.i.i29.i.i
+B282.endif.endif.i.i.i.i87.i.i:                   ; preds = %B282.endif.i.i.i.i82.i.i
+  %.149.i.i.i.i88.i.i = fmul contract double %.75.i.i.i, %.143.i.i.i.i83.i.i
+  %.151.i.i.i.i89.i.i = fadd contract double %..i8.i.i, %.149.i.i.i.i88.i.i
+  %.159.i.i.i.i90.i.i = fdiv contract double %.151.i.i.i.i89.i.i, %.147.i.i.i.i85.i.i
+  %.161.i.i.i.i91.i.i = fmul contract double %..i8.i.i, %.143.i.i.i.i83.i.i
+  %.163.i.i.i.i92.i.i = fsub contract double %.161.i.i.i.i91.i.i, %.75.i.i.i
+  %.171.i.i.i.i93.i.i = fdiv contract double %.163.i.i.i.i92.i.i, %.147.i.i.i.i85.i.i
+  br label %B0.endif.i.i31.i.i
 
-B0.endif.i.i29.i.i:                               ; preds = %B282.endif.endif.i.i.i.i78.i.i, %B174.endif.endif.i.i.i.i22.i.i, %B270.i.i.i.i69.i.i
-  %.22.sroa.4.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i69.i.i ], [ %.171.i.i.i.i84.i.i, %B282.endif.endif.i.i.i.i78.i.i ], [ %.117.i.i.i.i28.i.i, %B174.endif.endif.i.i.i.i22.i.i ]
-  %.22.sroa.0.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i69.i.i ], [ %.159.i.i.i.i81.i.i, %B282.endif.endif.i.i.i.i78.i.i ], [ %.105.i.i.i.i25.i.i, %B174.endif.endif.i.i.i.i22.i.i ]
-  %.56.i.i.i30.i.i = fcmp contract ult double %.45.i.i.i3.i.i, %..i7.i.i
-  br i1 %.56.i.i.i30.i.i, label %B270.i.i.i53.i.i, label %B132.i.i.i31.i.i
+B0.endif.i.i31.i.i:                               ; preds = %B282.endif.endif.i.i.i.i87.i.i, %B174.endif.endif.i.i.i.i24.i.i, %B270.i.i.i.i78.i.i
+  %.22.sroa.4.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i78.i.i ], [ %.171.i.i.i.i93.i.i, %B282.endif.endif.i.i.i.i87.i.i ], [ %.117.i.i.i.i30.i.i, %B174.endif.endif.i.i.i.i24.i.i ]
+  %.22.sroa.0.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i.i78.i.i ], [ %.159.i.i.i.i90.i.i, %B282.endif.endif.i.i.i.i87.i.i ], [ %.105.i.i.i.i27.i.i, %B174.endif.endif.i.i.i.i24.i.i ]
+  %.56.i.i.i32.i.i = fcmp contract ult double %.45.i.i.i3.i.i, %..i8.i.i
+  br i1 %.56.i.i.i32.i.i, label %B270.i.i.i62.i.i, label %B132.i.i.i33.i.i
 
-B132.i.i.i31.i.i:                                 ; preds = %B0.endif.i.i29.i.i
-  br i1 %.59.i.i.i4.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i.i.i32.i.i, !prof !93
+B132.i.i.i33.i.i:                                 ; preds = %B0.endif.i.i31.i.i
+  br i1 %.59.i.i.i4.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.i.i.i34.i.i, !prof !93
 
-B270.i.i.i53.i.i:                                 ; preds = %B0.endif.i.i29.i.i
-  %.132.i.i.i54.i.i = fcmp contract ult double %..i7.i.i, %.45.i.i.i3.i.i
-  br i1 %.132.i.i.i54.i.i, label %B0.endif.endif.i.i43.i.i, label %B282.i.i.i55.i.i
+B270.i.i.i62.i.i:                                 ; preds = %B0.endif.i.i31.i.i
+  %.132.i.i.i63.i.i = fcmp contract ult double %..i8.i.i, %.45.i.i.i3.i.i
+  br i1 %.132.i.i.i63.i.i, label %B0.endif.endif.i.i45.i.i, label %B282.i.i.i64.i.i
 
-B282.i.i.i55.i.i:                                 ; preds = %B270.i.i.i53.i.i
-  %.136.i.i.i56.i.i = fcmp contract oeq double %..i7.i.i, 0.000000e+00
-  br i1 %.136.i.i.i56.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i.i.i57.i.i, !prof !24
+B282.i.i.i64.i.i:                                 ; preds = %B270.i.i.i62.i.i
+  %.136.i.i.i65.i.i = fcmp contract oeq double %..i8.i.i, 0.000000e+00
+  br i1 %.136.i.i.i65.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.i.i.i66.i.i, !prof !24
 
-B174.endif.i.i.i32.i.i:                           ; preds = %B132.i.i.i31.i.i
-  %.89.i.i.i33.i.i = fdiv contract double %..i7.i.i, %.403.i.i.i
-  %.91.i.i.i34.i.i = fmul contract double %..i7.i.i, %.89.i.i.i33.i.i
-  %.93.i.i.i35.i.i = fadd contract double %.403.i.i.i, %.91.i.i.i34.i.i
-  %.98.i.i.i36.i.i = fcmp contract oeq double %.93.i.i.i35.i.i, 0.000000e+00
-  br i1 %.98.i.i.i36.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i.i.i37.i.i, !prof !24
+B174.endif.i.i.i34.i.i:                           ; preds = %B132.i.i.i33.i.i
+  %.89.i.i.i35.i.i = fdiv contract double %..i8.i.i, %.403.i.i.i
+  %.91.i.i.i36.i.i = fmul contract double %..i8.i.i, %.89.i.i.i35.i.i
+  %.93.i.i.i37.i.i = fadd contract double %.403.i.i.i, %.91.i.i.i36.i.i
+  %.98.i.i.i38.i.i = fcmp contract oeq double %.93.i.i.i37.i.i, 0.000000e+00
+  br i1 %.98.i.i.i38.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B174.endif.endif.i.i.i39.i.i, !prof !24
 
-B174.endif.endif.i.i.i37.i.i:                     ; preds = %B174.endif.i.i.i32.i.i
-  %.97.i.i.i38.i.i = fadd contract double %.77.i.i.i.i, %.91.i.i.i34.i.i
-  %.105.i.i.i39.i.i = fdiv contract double %.97.i.i.i38.i.i, %.93.i.i.i35.i.i
-  %.107.i.i.i40.i.i = fmul contract double %.77.i.i.i.i, %.89.i.i.i33.i.i
-  %.109.i.i.i41.i.i = fsub contract double %..i7.i.i, %.107.i.i.i40.i.i
-  %.117.i.i.i42.i.i = fdiv contract double %.109.i.i.i41.i.i, %.93.i.i.i35.i.i
-  br label %B0.endif.endif.i.i43.i.i
+B174.endif.endif.i.i.i39.i.i:                     ; preds = %B174.endif.i.i.i34.i.i
+  %.97.i.i.i40.i.i = fadd contract double %.77.i.i.i.i, %.91.i.i.i36.i.i
+  %.105.i.i.i41.i.i = fdiv contract double %.97.i.i.i40.i.i, %.93.i.i.i37.i.i
+  %.107.i.i.i42.i.i = fmul contract double %.77.i.i.i.i, %.89.i.i.i35.i.i
+  %.109.i.i.i43.i.i = fsub contract double %..i8.i.i, %.107.i.i.i42.i.i
+  %.117.i.i.i44.i.i = fdiv contract double %.109.i.i.i43.i.i, %.93.i.i.i37.i.i
+  br label %B0.endif.endif.i.i45.i.i
 
-B282.endif.i.i.i57.i.i:                           ; preds = %B282.i.i.i55.i.i
-  %.143.i.i.i58.i.i = fdiv contract double %.403.i.i.i, %..i7.i.i
-  %.145.i.i.i59.i.i = fmul contract double %.403.i.i.i, %.143.i.i.i58.i.i
-  %.147.i.i.i60.i.i = fadd contract double %..i7.i.i, %.145.i.i.i59.i.i
-  %.152.i.i.i61.i.i = fcmp contract oeq double %.147.i.i.i60.i.i, 0.000000e+00
-  br i1 %.152.i.i.i61.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i.i.i62.i.i, !prof !24
+B282.endif.i.i.i66.i.i:                           ; preds = %B282.i.i.i64.i.i
+  %.143.i.i.i67.i.i = fdiv contract double %.403.i.i.i, %..i8.i.i
+  %.145.i.i.i68.i.i = fmul contract double %.403.i.i.i, %.143.i.i.i67.i.i
+  %.147.i.i.i69.i.i = fadd contract double %..i8.i.i, %.145.i.i.i68.i.i
+  %.152.i.i.i70.i.i = fcmp contract oeq double %.147.i.i.i69.i.i, 0.000000e+00
+  br i1 %.152.i.i.i70.i.i, label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, label %B282.endif.endif.i.i.i71.i.i, !prof !24
 
-B282.endif.endif.i.i.i62.i.i:                     ; preds = %B282.endif.i.i.i57.i.i
-  %.149.i.i.i63.i.i = fmul contract double %.77.i.i.i.i, %.143.i.i.i58.i.i
-  %.151.i.i.i64.i.i = fadd contract double %..i7.i.i, %.149.i.i.i63.i.i
-  %.159.i.i.i65.i.i = fdiv contract double %.151.i.i.i64.i.i, %.147.i.i.i60.i.i
-  %.161.i.i.i66.i.i = fmul contract double %..i7.i.i, %.143.i.i.i58.i.i
-  %.163.i.i.i67.i.i = fsub contract double %.161.i.i.i66.i.i, %.77.i.i.i.i
-  %.171.i.i.i68.i.i = fdiv contract double %.163.i.i.i67.i.i, %.147.i.i.i60.i.i
-  br label %B0.endif.endif.i.i43.i.i
+B282.endif.endif.i.i.i71.i.i:                     ; preds = %B282.endif.i.i.i66.i.i
+  %.149.i.i.i72.i.i = fmul contract double %.77.i.i.i.i, %.143.i.i.i67.i.i
+  %.151.i.i.i73.i.i = fadd contract double %..i8.i.i, %.149.i.i.i72.i.i
+  %.159.i.i.i74.i.i = fdiv contract double %.151.i.i.i73.i.i, %.147.i.i.i69.i.i
+  %.161.i.i.i75.i.i = fmul contract double %..i8.i.i, %.143.i.i.i67.i.i
+  %.163.i.i.i76.i.i = fsub contract double %.161.i.i.i75.i.i, %.77.i.i.i.i
+  %.171.i.i.i77.i.i = fdiv contract double %.163.i.i.i76.i.i, %.147.i.i.i69.i.i
+  br label %B0.endif.endif.i.i45.i.i
 
-B0.endif.endif.i.i43.i.i:                         ; preds = %B282.endif.endif.i.i.i62.i.i, %B174.endif.endif.i.i.i37.i.i, %B270.i.i.i53.i.i
-  %.118.sroa.4.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i53.i.i ], [ %.171.i.i.i68.i.i, %B282.endif.endif.i.i.i62.i.i ], [ %.117.i.i.i42.i.i, %B174.endif.endif.i.i.i37.i.i ]
-  %.118.sroa.0.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i53.i.i ], [ %.159.i.i.i65.i.i, %B282.endif.endif.i.i.i62.i.i ], [ %.105.i.i.i39.i.i, %B174.endif.endif.i.i.i37.i.i ]
+B0.endif.endif.i.i45.i.i:                         ; preds = %B282.endif.endif.i.i.i71.i.i, %B174.endif.endif.i.i.i39.i.i, %B270.i.i.i62.i.i
+  %.118.sroa.4.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i62.i.i ], [ %.171.i.i.i77.i.i, %B282.endif.endif.i.i.i71.i.i ], [ %.117.i.i.i44.i.i, %B174.endif.endif.i.i.i39.i.i ]
+  %.118.sroa.0.0.i.i.i.i = phi double [ 0x7FF8000000000000, %B270.i.i.i62.i.i ], [ %.159.i.i.i74.i.i, %B282.endif.endif.i.i.i71.i.i ], [ %.105.i.i.i41.i.i, %B174.endif.endif.i.i.i39.i.i ]
   %.163.i.i.i.i = fadd contract double %.266.i.i.i, %.331.i.i.i
   %.166.i.i.i.i = fadd contract double %"$phi258.4.2.1.i.i.i", %"$phi368.4.2.1.i.i.i"
-  %.58.i.i.i44.i.i = fmul contract double %.166.i.i.i.i, 5.000000e-01
-  %.64.i.i.i45.i.i = fmul contract double %.163.i.i.i.i, 0.000000e+00
-  %.80.i.i.i46.i.i = fadd contract double %.64.i.i.i45.i.i, %.58.i.i.i44.i.i
-  %.46.i.i.i47.i.i = fmul contract double %.163.i.i.i.i, 5.000000e-01
-  %.52.i.i.i48.i.i = fmul contract double %.166.i.i.i.i, 0.000000e+00
-  %.70.i.i.i49.i.i = fsub contract double %.46.i.i.i47.i.i, %.52.i.i.i48.i.i
+  %.58.i.i.i46.i.i = fmul contract double %.166.i.i.i.i, 5.000000e-01
+  %.64.i.i.i47.i.i = fmul contract double %.163.i.i.i.i, 0.000000e+00
+  %.80.i.i.i48.i.i = fadd contract double %.64.i.i.i47.i.i, %.58.i.i.i46.i.i
+  %.46.i.i.i49.i.i = fmul contract double %.163.i.i.i.i, 5.000000e-01
+  %.52.i.i.i50.i.i = fmul contract double %.166.i.i.i.i, 0.000000e+00
+  %.70.i.i.i51.i.i = fsub contract double %.46.i.i.i49.i.i, %.52.i.i.i50.i.i
   %.58.i6.i.i.i.i = fmul contract double %.118.sroa.4.0.i.i.i.i, 5.000000e-01
   %.64.i7.i.i.i.i = fmul contract double %.118.sroa.0.0.i.i.i.i, 0.000000e+00
   %.80.i8.i.i.i.i = fadd contract double %.58.i6.i.i.i.i, %.64.i7.i.i.i.i
@@ -4273,14 +4355,14 @@ B0.endif.endif.i.i43.i.i:                         ; preds = %B282.endif.endif.i.
   %.58.i48.i.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i.i, 0x3FFD555555555555
   %.80.i50.i.i.i.i = fadd contract double %.58.i48.i.i.i.i, %.64.i35.i.i.i.i
   %.46.i51.i.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i.i, 0x3FFD555555555555
-  %42 = fsub contract double %.52.i38.i.i.i.i, %.46.i51.i.i.i.i
-  %.692.i.i.i.i = fadd contract double %42, 3.375000e+00
+  %43 = fsub contract double %.52.i38.i.i.i.i, %.46.i51.i.i.i.i
+  %.692.i.i.i.i = fadd contract double %43, 3.375000e+00
   %.695.i.i.i.i = fsub contract double 0.000000e+00, %.80.i50.i.i.i.i
-  %.58.i55.i.i.i.i = fmul contract double %.80.i.i.i46.i.i, %.692.i.i.i.i
-  %.64.i56.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.695.i.i.i.i
+  %.58.i55.i.i.i.i = fmul contract double %.80.i.i.i48.i.i, %.692.i.i.i.i
+  %.64.i56.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.695.i.i.i.i
   %.80.i57.i.i.i.i = fadd contract double %.64.i56.i.i.i.i, %.58.i55.i.i.i.i
-  %.46.i58.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.692.i.i.i.i
-  %.52.i59.i.i.i.i = fmul contract double %.80.i.i.i46.i.i, %.695.i.i.i.i
+  %.46.i58.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.692.i.i.i.i
+  %.52.i59.i.i.i.i = fmul contract double %.80.i.i.i48.i.i, %.695.i.i.i.i
   %.70.i60.i.i.i.i = fsub contract double %.46.i58.i.i.i.i, %.52.i59.i.i.i.i
   %.744.i.i.i.i = fadd contract double %.70.i60.i.i.i.i, %.70.i46.i.i.i.i
   %.747.i.i.i.i = fadd contract double %.80.i57.i.i.i.i, %.80.i43.i.i.i.i
@@ -4318,11 +4400,11 @@ B0.endif.endif.i.i43.i.i:                         ; preds = %B282.endif.endif.i.
   %.80.i92.i.i.i.i = fadd contract double %.64.i42.i.i.i.i, %.58.i90.i.i.i.i
   %.46.i93.i.i.i.i = fmul contract double %.70.i18.i.i.i.i, 3.062500e+00
   %.70.i95.i.i.i.i = fsub contract double %.46.i93.i.i.i.i, %.52.i45.i.i.i.i
-  %.58.i97.i.i.i.i = fmul contract double %.80.i.i.i46.i.i, %.70.i95.i.i.i.i
-  %.64.i98.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.80.i92.i.i.i.i
+  %.58.i97.i.i.i.i = fmul contract double %.80.i.i.i48.i.i, %.70.i95.i.i.i.i
+  %.64.i98.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.80.i92.i.i.i.i
   %.80.i99.i.i.i.i = fadd contract double %.64.i98.i.i.i.i, %.58.i97.i.i.i.i
-  %.46.i100.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.70.i95.i.i.i.i
-  %.52.i101.i.i.i.i = fmul contract double %.80.i.i.i46.i.i, %.80.i92.i.i.i.i
+  %.46.i100.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.70.i95.i.i.i.i
+  %.52.i101.i.i.i.i = fmul contract double %.80.i.i.i48.i.i, %.80.i92.i.i.i.i
   %.70.i102.i.i.i.i = fsub contract double %.46.i100.i.i.i.i, %.52.i101.i.i.i.i
   %.1146.i.i.i.i = fsub contract double %.70.i88.i.i.i.i, %.70.i102.i.i.i.i
   %.1149.i.i.i.i = fsub contract double %.80.i85.i.i.i.i, %.80.i99.i.i.i.i
@@ -4334,40 +4416,40 @@ B0.endif.endif.i.i43.i.i:                         ; preds = %B282.endif.endif.i.
   %.105.i109.i.i.i.i = fmul contract double %.97.i108.i.i.i.i, 1.250000e-01
   %.109.i111.i.i.i.i = fsub contract double %.22.sroa.4.0.i.i.i.i, %.64.i35.i.i.i.i
   %.117.i112.i.i.i.i = fmul contract double %.109.i111.i.i.i.i, 1.250000e-01
-  %.58.i118.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.80.i.i.i46.i.i
+  %.58.i118.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.80.i.i.i48.i.i
   %.80.i120.i.i.i.i = fadd contract double %.58.i118.i.i.i.i, %.58.i118.i.i.i.i
-  %.46.i121.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.70.i.i.i49.i.i
-  %.52.i122.i.i.i.i = fmul contract double %.80.i.i.i46.i.i, %.80.i.i.i46.i.i
+  %.46.i121.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.70.i.i.i51.i.i
+  %.52.i122.i.i.i.i = fmul contract double %.80.i.i.i48.i.i, %.80.i.i.i48.i.i
   %.70.i123.i.i.i.i = fsub contract double %.46.i121.i.i.i.i, %.52.i122.i.i.i.i
   %.1306.i.i.i.i = fadd contract double %.117.i112.i.i.i.i, 0.000000e+00
   %.1303.i.i.i.i = fadd contract double %.105.i109.i.i.i.i, -1.531250e+00
-  %.58.i125.i.i.i.i = fmul contract double %.80.i120.i.i.i.i, %.1303.i.i.i.i
-  %.64.i126.i.i.i.i = fmul contract double %.70.i123.i.i.i.i, %.1306.i.i.i.i
-  %.80.i127.i.i.i.i = fadd contract double %.58.i125.i.i.i.i, %.64.i126.i.i.i.i
-  %.46.i128.i.i.i.i = fmul contract double %.70.i123.i.i.i.i, %.1303.i.i.i.i
-  %.52.i129.i.i.i.i = fmul contract double %.80.i120.i.i.i.i, %.1306.i.i.i.i
-  %.70.i130.i.i.i.i = fsub contract double %.46.i128.i.i.i.i, %.52.i129.i.i.i.i
-  %.1425.i.i.i.i = fadd contract double %.70.i130.i.i.i.i, %.1172.i.i.i.i
-  %.1428.i.i.i.i = fadd contract double %.80.i127.i.i.i.i, %.1175.i.i.i.i
+  %.58.i125.i.i52.i.i = fmul contract double %.80.i120.i.i.i.i, %.1303.i.i.i.i
+  %.64.i126.i.i53.i.i = fmul contract double %.70.i123.i.i.i.i, %.1306.i.i.i.i
+  %.80.i127.i.i54.i.i = fadd contract double %.58.i125.i.i52.i.i, %.64.i126.i.i53.i.i
+  %.46.i128.i.i55.i.i = fmul contract double %.70.i123.i.i.i.i, %.1303.i.i.i.i
+  %.52.i129.i.i56.i.i = fmul contract double %.80.i120.i.i.i.i, %.1306.i.i.i.i
+  %.70.i130.i.i57.i.i = fsub contract double %.46.i128.i.i55.i.i, %.52.i129.i.i56.i.i
+  %.1425.i.i.i.i = fadd contract double %.70.i130.i.i57.i.i, %.1172.i.i.i.i
+  %.1428.i.i.i.i = fadd contract double %.80.i127.i.i54.i.i, %.1175.i.i.i.i
   store double %.1425.i.i.i.i, ptr %.937.i.i.i.i, align 8, !noalias !105
   store double %.1428.i.i.i.i, ptr %.937.repack1408.i.i.i.i, align 8, !noalias !105
   %.58.i132.i.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i.i, 4.000000e+00
   %.80.i134.i.i.i.i = fadd contract double %.58.i132.i.i.i.i, %.64.i35.i.i.i.i
   %.46.i135.i.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i.i, 4.000000e+00
-  %43 = fsub contract double %.52.i38.i.i.i.i, %.46.i135.i.i.i.i
-  %.1525.i.i.i.i = fadd contract double %43, 1.000000e+00
+  %44 = fsub contract double %.52.i38.i.i.i.i, %.46.i135.i.i.i.i
+  %.1525.i.i.i.i = fadd contract double %44, 1.000000e+00
   %.1528.i.i.i.i = fsub contract double 0.000000e+00, %.80.i134.i.i.i.i
   %.58.i139.i.i.i.i = fmul contract double %.1528.i.i.i.i, 0x4010B090E5F545F2
   %.64.i140.i.i.i.i = fmul contract double %.1525.i.i.i.i, 0.000000e+00
-  %44 = fsub contract double %.64.i140.i.i.i.i, %.58.i139.i.i.i.i
+  %45 = fsub contract double %.64.i140.i.i.i.i, %.58.i139.i.i.i.i
   %.46.i142.i.i.i.i = fmul contract double %.1525.i.i.i.i, 0xC010B090E5F545F2
   %.52.i143.i.i.i.i = fmul contract double %.1528.i.i.i.i, 0.000000e+00
   %.70.i144.i.i.i.i = fsub contract double %.46.i142.i.i.i.i, %.52.i143.i.i.i.i
   %.58.i146.i.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i.i, 0x3FD9104104104104
   %.80.i148.i.i.i.i = fadd contract double %.58.i146.i.i.i.i, %.64.i35.i.i.i.i
   %.46.i149.i.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i.i, 0x3FD9104104104104
-  %45 = fsub contract double %.52.i38.i.i.i.i, %.46.i149.i.i.i.i
-  %.1627.i.i.i.i = fadd contract double %45, 0x4031AEEFBEFBEFBF
+  %46 = fsub contract double %.52.i38.i.i.i.i, %.46.i149.i.i.i.i
+  %.1627.i.i.i.i = fadd contract double %46, 0x4031AEEFBEFBEFBF
   %.1630.i.i.i.i = fsub contract double 0.000000e+00, %.80.i148.i.i.i.i
   %.58.i153.i.i.i.i = fmul contract double %.1627.i.i.i.i, %.80.i15.i.i.i.i
   %.64.i154.i.i.i.i = fmul contract double %.1630.i.i.i.i, %.70.i18.i.i.i.i
@@ -4376,7 +4458,7 @@ B0.endif.endif.i.i43.i.i:                         ; preds = %B282.endif.endif.i.
   %.52.i157.i.i.i.i = fmul contract double %.1630.i.i.i.i, %.80.i15.i.i.i.i
   %.70.i158.i.i.i.i = fsub contract double %.46.i156.i.i.i.i, %.52.i157.i.i.i.i
   %.1679.i.i.i.i = fadd contract double %.70.i144.i.i.i.i, %.70.i158.i.i.i.i
-  %.1682.i.i.i.i = fadd contract double %44, %.80.i155.i.i.i.i
+  %.1682.i.i.i.i = fadd contract double %45, %.80.i155.i.i.i.i
   store double %.1679.i.i.i.i, ptr %.1713.i.i.i.i, align 8, !noalias !105
   store double %.1682.i.i.i.i, ptr %.1713.repack1414.i.i.i.i, align 8, !noalias !105
   %.58.i160.i.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i.i, 0x4001ACB2CB2CB2CB
@@ -4390,14 +4472,14 @@ B0.endif.endif.i.i43.i.i:                         ; preds = %B282.endif.endif.i.
   %.80.i169.i.i.i.i = fadd contract double %.64.i168.i.i.i.i, %.58.i167.i.i.i.i
   %.46.i170.i.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i.i, %.1810.i.i.i.i
   %.52.i171.i.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i.i, %.1813.i.i.i.i
-  %46 = fsub contract double %.52.i171.i.i.i.i, %.46.i170.i.i.i.i
-  %.1870.i.i.i.i = fadd contract double %46, 0x4031AEEFBEFBEFBF
+  %47 = fsub contract double %.52.i171.i.i.i.i, %.46.i170.i.i.i.i
+  %.1870.i.i.i.i = fadd contract double %47, 0x4031AEEFBEFBEFBF
   %.1873.i.i.i.i = fsub contract double 0.000000e+00, %.80.i169.i.i.i.i
-  %.58.i174.i.i.i.i = fmul contract double %.80.i.i.i46.i.i, %.1870.i.i.i.i
-  %.64.i175.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.1873.i.i.i.i
+  %.58.i174.i.i.i.i = fmul contract double %.80.i.i.i48.i.i, %.1870.i.i.i.i
+  %.64.i175.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.1873.i.i.i.i
   %.80.i176.i.i.i.i = fadd contract double %.64.i175.i.i.i.i, %.58.i174.i.i.i.i
-  %.46.i177.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.1870.i.i.i.i
-  %.52.i178.i.i.i.i = fmul contract double %.80.i.i.i46.i.i, %.1873.i.i.i.i
+  %.46.i177.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.1870.i.i.i.i
+  %.52.i178.i.i.i.i = fmul contract double %.80.i.i.i48.i.i, %.1873.i.i.i.i
   %.70.i179.i.i.i.i = fsub contract double %.46.i177.i.i.i.i, %.52.i178.i.i.i.i
   %.1922.i.i.i.i = fadd contract double %.70.i179.i.i.i.i, %.1679.i.i.i.i
   %.1925.i.i.i.i = fadd contract double %.80.i176.i.i.i.i, %.1682.i.i.i.i
@@ -4439,14 +4521,14 @@ B0.endif.endif.i.i43.i.i:                         ; preds = %B282.endif.endif.i.
   %.58.i220.i.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i.i, 0x4002AAAAAAAAAAAB
   %.80.i222.i.i.i.i = fadd contract double %.58.i220.i.i.i.i, %.64.i35.i.i.i.i
   %.46.i223.i.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i.i, 0x4002AAAAAAAAAAAB
-  %47 = fsub contract double %.52.i38.i.i.i.i, %.46.i223.i.i.i.i
-  %.2465.i.i.i.i = fadd contract double %47, 0x4004AAAAAAAAAAAB
+  %48 = fsub contract double %.52.i38.i.i.i.i, %.46.i223.i.i.i.i
+  %.2465.i.i.i.i = fadd contract double %48, 0x4004AAAAAAAAAAAB
   %.2468.i.i.i.i = fsub contract double 0.000000e+00, %.80.i222.i.i.i.i
-  %.58.i227.i.i.i.i = fmul contract double %.80.i.i.i46.i.i, %.2465.i.i.i.i
-  %.64.i228.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.2468.i.i.i.i
+  %.58.i227.i.i.i.i = fmul contract double %.80.i.i.i48.i.i, %.2465.i.i.i.i
+  %.64.i228.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.2468.i.i.i.i
   %.80.i229.i.i.i.i = fadd contract double %.64.i228.i.i.i.i, %.58.i227.i.i.i.i
-  %.46.i230.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.2465.i.i.i.i
-  %.52.i231.i.i.i.i = fmul contract double %.80.i.i.i46.i.i, %.2468.i.i.i.i
+  %.46.i230.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.2465.i.i.i.i
+  %.52.i231.i.i.i.i = fmul contract double %.80.i.i.i48.i.i, %.2468.i.i.i.i
   %.70.i232.i.i.i.i = fsub contract double %.46.i230.i.i.i.i, %.52.i231.i.i.i.i
   %.2517.i.i.i.i = fadd contract double %.70.i232.i.i.i.i, %.70.i218.i.i.i.i
   %.2520.i.i.i.i = fadd contract double %.80.i229.i.i.i.i, %.80.i215.i.i.i.i
@@ -4496,11 +4578,11 @@ B0.endif.endif.i.i43.i.i:                         ; preds = %B282.endif.endif.i.
   %.46.i272.i.i.i.i = fmul contract double %.2951.i.i.i.i, %.70.i18.i.i.i.i
   %.52.i273.i.i.i.i = fmul contract double %.2954.i.i.i.i, %.80.i15.i.i.i.i
   %.70.i274.i.i.i.i = fsub contract double %.46.i272.i.i.i.i, %.52.i273.i.i.i.i
-  %.58.i276.i.i.i.i = fmul contract double %.80.i.i.i46.i.i, %.70.i274.i.i.i.i
-  %.64.i277.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.80.i271.i.i.i.i
+  %.58.i276.i.i.i.i = fmul contract double %.80.i.i.i48.i.i, %.70.i274.i.i.i.i
+  %.64.i277.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.80.i271.i.i.i.i
   %.80.i278.i.i.i.i = fadd contract double %.64.i277.i.i.i.i, %.58.i276.i.i.i.i
-  %.46.i279.i.i.i.i = fmul contract double %.70.i.i.i49.i.i, %.70.i274.i.i.i.i
-  %.52.i280.i.i.i.i = fmul contract double %.80.i.i.i46.i.i, %.80.i271.i.i.i.i
+  %.46.i279.i.i.i.i = fmul contract double %.70.i.i.i51.i.i, %.70.i274.i.i.i.i
+  %.52.i280.i.i.i.i = fmul contract double %.80.i.i.i48.i.i, %.80.i271.i.i.i.i
   %.70.i281.i.i.i.i = fsub contract double %.46.i279.i.i.i.i, %.52.i280.i.i.i.i
   %.3029.i.i.i.i = fadd contract double %.70.i281.i.i.i.i, %.2820.i.i.i.i
   %.3032.i.i.i.i = fadd contract double %.80.i278.i.i.i.i, %.2823.i.i.i.i
@@ -4509,8 +4591,8 @@ B0.endif.endif.i.i43.i.i:                         ; preds = %B282.endif.endif.i.
   %.58.i283.i.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i.i, 0x402975F7DF7DF7DF
   %.80.i285.i.i.i.i = fadd contract double %.58.i283.i.i.i.i, %.64.i35.i.i.i.i
   %.46.i286.i.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i.i, 0x402975F7DF7DF7DF
-  %48 = fsub contract double %.52.i38.i.i.i.i, %.46.i286.i.i.i.i
-  %.3160.i.i.i.i = fadd contract double %48, 0x404302DB6DB6DB6E
+  %49 = fsub contract double %.52.i38.i.i.i.i, %.46.i286.i.i.i.i
+  %.3160.i.i.i.i = fadd contract double %49, 0x404302DB6DB6DB6E
   %.3163.i.i.i.i = fsub contract double 0.000000e+00, %.80.i285.i.i.i.i
   %.58.i290.i.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i.i, %.3163.i.i.i.i
   %.64.i291.i.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i.i, %.3160.i.i.i.i
@@ -4533,16 +4615,16 @@ B0.endif.endif.i.i43.i.i:                         ; preds = %B282.endif.endif.i.
   %.58.i311.i.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i.i, 0x402001CC877321DD
   %.80.i313.i.i.i.i = fadd contract double %.58.i311.i.i.i.i, %.64.i35.i.i.i.i
   %.46.i314.i.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i.i, 0x402001CC877321DD
-  %49 = fsub contract double %.52.i38.i.i.i.i, %.46.i314.i.i.i.i
-  %.3441.i.i.i.i = fadd contract double %49, 0x403044E0D8B8362E
+  %50 = fsub contract double %.52.i38.i.i.i.i, %.46.i314.i.i.i.i
+  %.3441.i.i.i.i = fadd contract double %50, 0x403044E0D8B8362E
   %.3444.i.i.i.i = fsub contract double 0.000000e+00, %.80.i313.i.i.i.i
   %.58.i318.i.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i.i, %.3444.i.i.i.i
   %.64.i319.i.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i.i, %.3441.i.i.i.i
   %.80.i320.i.i.i.i = fadd contract double %.64.i319.i.i.i.i, %.58.i318.i.i.i.i
   %.46.i321.i.i.i.i = fmul contract double %.22.sroa.0.0.i.i.i.i, %.3441.i.i.i.i
   %.52.i322.i.i.i.i = fmul contract double %.22.sroa.4.0.i.i.i.i, %.3444.i.i.i.i
-  %50 = fsub contract double %.52.i322.i.i.i.i, %.46.i321.i.i.i.i
-  %.3501.i.i.i.i = fadd contract double %50, 0x400A4763546E2A71
+  %51 = fsub contract double %.52.i322.i.i.i.i, %.46.i321.i.i.i.i
+  %.3501.i.i.i.i = fadd contract double %51, 0x400A4763546E2A71
   %.3504.i.i.i.i = fsub contract double 0.000000e+00, %.80.i320.i.i.i.i
   %.58.i325.i.i.i.i = fmul contract double %.3504.i.i.i.i, 0x400921FB54442D18
   %.64.i326.i.i.i.i = fmul contract double %.3501.i.i.i.i, 0.000000e+00
@@ -4552,21 +4634,21 @@ B0.endif.endif.i.i43.i.i:                         ; preds = %B282.endif.endif.i.
   %.70.i330.i.i.i.i = fsub contract double %.46.i328.i.i.i.i, %.52.i329.i.i.i.i
   store double %.70.i330.i.i.i.i, ptr %.3569.i.i.i.i, align 8, !noalias !105
   store double %.80.i327.i.i.i.i, ptr %.3569.repack1430.i.i.i.i, align 8, !noalias !105
-  br label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i
+  br label %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i
 
-_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i: ; preds = %B0.endif.endif.i.i43.i.i, %B282.endif.i.i.i57.i.i, %B174.endif.i.i.i32.i.i, %B282.i.i.i55.i.i, %B132.i.i.i31.i.i, %B282.endif.i.i.i.i73.i.i, %B174.endif.i.i.i.i17.i.i, %B282.i.i.i.i71.i.i, %B132.i.i.i.i15.i.i
-  %excinfo.1.1.i.i.i = phi ptr [ %excinfo.1.0.i.i.i, %B0.endif.endif.i.i43.i.i ], [ null, %B132.i.i.i.i15.i.i ], [ null, %B174.endif.i.i.i.i17.i.i ], [ null, %B282.i.i.i.i71.i.i ], [ null, %B282.endif.i.i.i.i73.i.i ], [ null, %B282.endif.i.i.i57.i.i ], [ null, %B282.i.i.i55.i.i ], [ null, %B174.endif.i.i.i32.i.i ], [ null, %B132.i.i.i31.i.i ]
-  %cond.i50.i.i = phi i1 [ true, %B0.endif.endif.i.i43.i.i ], [ false, %B132.i.i.i.i15.i.i ], [ false, %B174.endif.i.i.i.i17.i.i ], [ false, %B282.i.i.i.i71.i.i ], [ false, %B282.endif.i.i.i.i73.i.i ], [ false, %B282.endif.i.i.i57.i.i ], [ false, %B282.i.i.i55.i.i ], [ false, %B174.endif.i.i.i32.i.i ], [ false, %B132.i.i.i31.i.i ]
-  br i1 %cond.i50.i.i, label %B368.endif.i.i.i, label %B0.if, !prof !20
+_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i: ; preds = %B0.endif.endif.i.i45.i.i, %B282.endif.i.i.i66.i.i, %B174.endif.i.i.i34.i.i, %B282.i.i.i64.i.i, %B132.i.i.i33.i.i, %B282.endif.i.i.i.i82.i.i, %B174.endif.i.i.i.i19.i.i, %B282.i.i.i.i80.i.i, %B132.i.i.i.i17.i.i
+  %excinfo.1.1.i.i.i = phi ptr [ %excinfo.1.0.i.i.i, %B0.endif.endif.i.i45.i.i ], [ null, %B132.i.i.i.i17.i.i ], [ null, %B174.endif.i.i.i.i19.i.i ], [ null, %B282.i.i.i.i80.i.i ], [ null, %B282.endif.i.i.i.i82.i.i ], [ null, %B282.endif.i.i.i66.i.i ], [ null, %B282.i.i.i64.i.i ], [ null, %B174.endif.i.i.i34.i.i ], [ null, %B132.i.i.i33.i.i ]
+  %cond.i58.i.i = phi i1 [ true, %B0.endif.endif.i.i45.i.i ], [ false, %B132.i.i.i.i17.i.i ], [ false, %B174.endif.i.i.i.i19.i.i ], [ false, %B282.i.i.i.i80.i.i ], [ false, %B282.endif.i.i.i.i82.i.i ], [ false, %B282.endif.i.i.i66.i.i ], [ false, %B282.i.i.i64.i.i ], [ false, %B174.endif.i.i.i34.i.i ], [ false, %B132.i.i.i33.i.i ]
+  br i1 %cond.i58.i.i, label %B368.endif.i.i.i, label %B0.if, !prof !20
 
-B368.endif.i.i.i:                                 ; preds = %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i
+B368.endif.i.i.i:                                 ; preds = %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i
   %"$phi490.1.2.1.i.i.i" = select i1 %.202.i.i.i, double %.409.i.i.i, double 0.000000e+00
   %.570.i.i.i = load double, ptr %arg.state.10.1.4, align 8, !noalias !101
   %.572.i.i.i = load double, ptr %arg.out.4.repack1402.i.i.i.i, align 8, !noalias !101
   %.582.i.i.i = fdiv contract double %.572.i.i.i, 1.000000e-30
   %.623.i.i.i = fmul contract double %"$phi490.1.2.1.i.i.i", %.570.i.i.i
   %.624.i.i.i = fadd contract double %.623.i.i.i, %.582.i.i.i
-  %sunkaddr18.i.i.i = getelementptr i8, ptr %.675.i.i, i64 %lsr.iv.i6.i.i
+  %sunkaddr18.i.i.i = getelementptr i8, ptr %.675.i.i, i64 %lsr.iv.i7.i.i
   store double %.624.i.i.i, ptr %sunkaddr18.i.i.i, align 8, !noalias !101
   %.570.1.i.i.i = load double, ptr %sunkaddr19.i.i.i, align 8, !noalias !101
   %.572.1.i.i.i = load double, ptr %sunkaddr20.i.i.i, align 8, !noalias !101
@@ -4608,17 +4690,17 @@ B368.endif.i.i.i:                                 ; preds = %_ZN17bnserve_surrog
   %.582.6.i.i.i = fdiv contract double %.572.6.i.i.i, 1.000000e-30
   %.623.6.i.i.i = fmul contract double %"$phi490.1.2.1.i.i.i", %.570.6.i.i.i
   %.624.6.i.i.i = fadd contract double %.623.6.i.i.i, %.582.6.i.i.i
-  %sunkaddr42.i.i.i = getelementptr i8, ptr %sunkaddr18.i.i.i, i64 48
-  store double %.624.6.i.i.i, ptr %sunkaddr42.i.i.i, align 8, !noalias !101
+  %sunkaddr42.i60.i.i = getelementptr i8, ptr %sunkaddr18.i.i.i, i64 48
+  store double %.624.6.i.i.i, ptr %sunkaddr42.i60.i.i, align 8, !noalias !101
   %.570.7.i.i.i = load double, ptr %.3569.i.i.i.i, align 8, !noalias !101
   %.572.7.i.i.i = load double, ptr %.3569.repack1430.i.i.i.i, align 8, !noalias !101
   %.582.7.i.i.i = fdiv contract double %.572.7.i.i.i, 1.000000e-30
   %.623.7.i.i.i = fmul contract double %"$phi490.1.2.1.i.i.i", %.570.7.i.i.i
   %.624.7.i.i.i = fadd contract double %.623.7.i.i.i, %.582.7.i.i.i
-  %sunkaddr46.i.i.i = getelementptr i8, ptr %sunkaddr18.i.i.i, i64 56
-  store double %.624.7.i.i.i, ptr %sunkaddr46.i.i.i, align 8, !noalias !101
-  %lsr.iv.next.i52.i.i = add nuw nsw i64 %lsr.iv.i6.i.i, 64
-  %exitcond.not.i.i3.i = icmp eq i64 %lsr.iv.next.i52.i.i, 320
+  %sunkaddr46.i61.i.i = getelementptr i8, ptr %sunkaddr18.i.i.i, i64 56
+  store double %.624.7.i.i.i, ptr %sunkaddr46.i61.i.i, align 8, !noalias !101
+  %lsr.iv.next.i.i.i = add nuw nsw i64 %lsr.iv.i7.i.i, 64
+  %exitcond.not.i.i3.i = icmp eq i64 %lsr.iv.next.i.i.i, 320
   br i1 %exitcond.not.i.i3.i, label %B0.endif, label %B80.if.i.i.i
 
 B150:                                             ; preds = %B0.endif
@@ -4650,8 +4732,8 @@ B150:                                             ; preds = %B0.endif
   br i1 %.581.i, label %B394.i, label %B474.i
 
 B394.i:                                           ; preds = %B150
-  %51 = getelementptr double, ptr %.523.i, i64 %.292.i
-  %.592.i = getelementptr i8, ptr %51, i64 -8
+  %52 = getelementptr double, ptr %.523.i, i64 %.292.i
+  %.592.i = getelementptr i8, ptr %52, i64 -8
   %.593.i = load double, ptr %.592.i, align 8, !noalias !109
   %.602.i = load double, ptr %.523.i, align 8, !noalias !109
   %.603.i = fsub contract double %.593.i, %.602.i
@@ -4660,7 +4742,7 @@ B394.i:                                           ; preds = %B150
   br label %B474.i
 
 B474.i:                                           ; preds = %B394.i, %B150
-  %prepared_grid_v212__vphi308_0.2.0.i = phi double [ %.609.i, %B394.i ], [ 0.000000e+00, %B150 ]
+  %prepared_grid_v213__vphi308_0.2.0.i = phi double [ %.609.i, %B394.i ], [ 0.000000e+00, %B150 ]
   %.649.i = getelementptr i8, ptr %arg.state.0.4, i64 48
   %.650.i = load i64, ptr %.649.i, align 8, !noalias !109
   %.658.i = inttoptr i64 %.650.i to ptr
@@ -4674,7 +4756,7 @@ B474.i:                                           ; preds = %B394.i, %B150
   %.1045.le.i = tail call contract double @llvm.log.f64(double %.357)
   %.1052.i = fsub contract double %.1032.le.i, %.1045.le.i
   store i64 0, ptr %.1098.i, align 8, !noalias !109
-  call fastcc void @inner_8(ptr nonnull %.1098.i, ptr %.523.i, i64 %.292.i, ptr %.658.i, i64 %.417.i, double %prepared_grid_v212__vphi308_0.2.0.i, double %.1052.i)
+  call fastcc void @inner_8(ptr nonnull %.1098.i, ptr %.523.i, i64 %.292.i, ptr %.658.i, i64 %.417.i, double %prepared_grid_v213__vphi308_0.2.0.i, double %.1052.i)
   %.1116.i = load i64, ptr %.1098.i, align 8, !noalias !109
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %.1138.i, i8 0, i64 32, i1 false), !noalias !109
   %.1187.i = call fastcc i32 @inner_9(ptr nonnull %.1138.i, ptr nonnull %excinfo.6.i, ptr readonly %arg.state.0.4, ptr readonly %arg.state.1.4, ptr readonly %arg.state.2.4, ptr readonly %arg.state.3.4, i64 %arg.state.5, ptr nonnull readonly %arg.state.6.4, i64 range(i64 8, 1) %arg.state.7.0, i64 range(i64 8, 1) %arg.state.7.1, i64 range(i64 8, 0) %arg.state.7.2, ptr %arg.state.9.0.4, i64 range(i64 8, 1) %arg.state.9.0.5.0, ptr %arg.state.9.1.4, i64 range(i64 8, 1) %arg.state.9.1.5.0, ptr readonly %arg.state.10.0.4, ptr nonnull readonly %arg.state.10.1.4, ptr %arg.state.11.4, ptr %arg.state.15.4, double %.303.i)
@@ -4694,15 +4776,15 @@ B476.i:                                           ; preds = %for.end.1.endif.end
   br label %B904.i
 
 B904.i:                                           ; preds = %for.end.1.endif.endif.i, %B476.i
-  %52 = add i64 %.292.i, 127
-  %.1817.i = lshr i64 %52, 7
+  %53 = add i64 %.292.i, 127
+  %.1817.i = lshr i64 %53, 7
   %.1796.inv.i = icmp slt i64 %.292.i, 1
   %.18382498.not2509.i = icmp eq i64 %.1817.i, 0
   %.18382498.not.i = select i1 %.1796.inv.i, i1 true, i1 %.18382498.not2509.i
-  br i1 %.18382498.not.i, label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, label %B932.if.preheader.i
+  br i1 %.18382498.not.i, label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v202B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, label %B932.if.preheader.i
 
 B932.if.preheader.i:                              ; preds = %B904.i
-  %53 = add nuw nsw i64 %.1817.i, 5
+  %54 = add nuw nsw i64 %.1817.i, 5
   %sunkaddr7.i = getelementptr inbounds nuw i8, ptr %.2181.i, i64 8
   br label %B932.if.i
 
@@ -4720,29 +4802,29 @@ B1236.i:                                          ; preds = %B932.if.i, %B938.i
   call fastcc void @inner_12(ptr nonnull %.2616.i, i64 %arg.i, i64 %.184424672501.i, i64 %.13.i30.i, i64 %.13.i.i, double 1.000000e+00, ptr readonly %arg.state.0.4, ptr %arg.state.12.4, ptr %arg.state.15.4)
   %lsr.iv.next.i6 = add nsw i64 %lsr.iv.i5, -1
   %.1838.i = icmp sgt i64 %lsr.iv.i5, 6
-  br i1 %.1838.i, label %B932.if.i, label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
+  br i1 %.1838.i, label %B932.if.i, label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v202B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
 
 for.end.1.endif.if.i:                             ; preds = %B474.i
   %.1188.i = load ptr, ptr %excinfo.6.i, align 8, !noalias !109
-  br label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
+  br label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v202B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
 
 for.end.1.endif.endif.i:                          ; preds = %B474.i
   %.1217.i = icmp slt i64 %.1197.fca.1.load.i, %.1116.i
   br i1 %.1217.i, label %B476.i, label %B904.i
 
 B932.if.i:                                        ; preds = %B1236.i, %B932.if.preheader.i
-  %lsr.iv.i5 = phi i64 [ %lsr.iv.next.i6, %B1236.i ], [ %53, %B932.if.preheader.i ]
+  %lsr.iv.i5 = phi i64 [ %lsr.iv.next.i6, %B1236.i ], [ %54, %B932.if.preheader.i ]
   %cells.2.sroa.0.02504.i = phi i64 [ %cells.3.sroa.0.1.i, %B1236.i ], [ 0, %B932.if.preheader.i ]
   %cells.2.sroa.13.02503.i = phi i64 [ %cells.3.sroa.12.1.i, %B1236.i ], [ 0, %B932.if.preheader.i ]
-  %.184424672501.i = phi i64 [ %54, %B1236.i ], [ 0, %B932.if.preheader.i ]
-  %54 = add nuw i64 %.184424672501.i, 128
-  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.292.i, i64 %54)
+  %.184424672501.i = phi i64 [ %55, %B1236.i ], [ 0, %B932.if.preheader.i ]
+  %55 = add nuw i64 %.184424672501.i, 128
+  %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.292.i, i64 %55)
   %.13.i29.i = tail call i64 @llvm.smax.i64(i64 %.184424672501.i, i64 %.1116.i)
   %.13.i30.i = tail call i64 @llvm.smin.i64(i64 %.13.i.i, i64 %.13.i29.i)
   %.1985.i = icmp sgt i64 %.13.i30.i, %.184424672501.i
   br i1 %.1985.i, label %B938.i, label %B1236.i
 
-_ZN17bnserve_surrogate8tangents4_row6_orderB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit: ; preds = %B1236.i, %B904.i, %for.end.1.endif.if.i
+_ZN17bnserve_surrogate8tangents4_row6_orderB4v202B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit: ; preds = %B1236.i, %B904.i, %for.end.1.endif.if.i
   %excinfo.2.0 = phi ptr [ %.1188.i, %for.end.1.endif.if.i ], [ null, %B904.i ], [ null, %B1236.i ]
   %common.ret.op.i4 = phi i32 [ 1, %for.end.1.endif.if.i ], [ 0, %B904.i ], [ 0, %B1236.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.1098.i)
@@ -4772,10 +4854,10 @@ B336.preheader:                                   ; preds = %B204
   %sunkaddr205.i = getelementptr inbounds nuw i8, ptr %.1138.i9, i64 8
   %sunkaddr206.i = getelementptr inbounds nuw i8, ptr %.1138.i9, i64 16
   %sunkaddr207.i = getelementptr inbounds nuw i8, ptr %.1138.i9, i64 24
-  %55 = shl i64 %arg.state.5, 8
-  %56 = sub nuw nsw i64 -64, %55
-  %57 = sub nuw nsw i64 -192, %55
-  %58 = sub nuw nsw i64 -128, %55
+  %56 = shl i64 %arg.state.5, 8
+  %57 = sub nuw nsw i64 -64, %56
+  %58 = sub nuw nsw i64 -192, %56
+  %59 = sub nuw nsw i64 -128, %56
   %.2479.i = getelementptr i8, ptr %arg.state.15.4, i64 4352
   %sunkaddr.i59 = getelementptr inbounds nuw i8, ptr %.2181.i13, i64 8
   %.2957.i.i = getelementptr inbounds nuw i8, ptr %arg.state.15.4, i64 5440
@@ -4783,7 +4865,7 @@ B336.preheader:                                   ; preds = %B204
   %.3162.i.i = getelementptr inbounds nuw i8, ptr %arg.state.15.4, i64 7616
   %.3251.i.i = getelementptr i8, ptr %arg.state.15.4, i64 8704
   %.3456.i.i = getelementptr inbounds nuw i8, ptr %arg.state.15.4, i64 1088
-  %59 = shl i64 %arg.state.5, 2
+  %60 = shl i64 %arg.state.5, 2
   %sunkaddr230.i.i = getelementptr i8, ptr %arg.state.0.4, i64 128
   %sunkaddr231.i.i = getelementptr i8, ptr %arg.state.0.4, i64 120
   %sunkaddr1.i7.i.i = getelementptr i8, ptr %arg.state.12.4, i64 8
@@ -4805,8 +4887,8 @@ B336:                                             ; preds = %B652.endif, %B336.p
   %excinfo.7.0 = phi ptr [ null, %B336.preheader ], [ %excinfo.7.1, %B652.endif ]
   %first.2.0 = phi i64 [ 0, %B336.preheader ], [ %last.3.2, %B652.endif ]
   %.idx = mul i64 %first.2.0, 72
-  %60 = getelementptr i8, ptr %.582, i64 %.idx
-  %.695 = getelementptr i8, ptr %60, i64 48
+  %61 = getelementptr i8, ptr %.582, i64 %.idx
+  %.695 = getelementptr i8, ptr %61, i64 48
   %.786 = load i64, ptr %.695, align 8
   %.794 = add nsw i64 %first.2.0, 1
   %.831 = load i64, ptr %.582, align 8
@@ -4815,8 +4897,8 @@ B336:                                             ; preds = %B652.endif, %B336.p
 
 B454:                                             ; preds = %B336
   %.idx1339 = mul i64 %.794, 72
-  %61 = getelementptr i8, ptr %.582, i64 %.idx1339
-  %.865 = getelementptr i8, ptr %61, i64 48
+  %62 = getelementptr i8, ptr %.582, i64 %.idx1339
+  %.865 = getelementptr i8, ptr %62, i64 48
   %.956 = load i64, ptr %.865, align 8
   %.961 = icmp eq i64 %.956, %.786
   br i1 %.961, label %B526.preheader, label %B652
@@ -4862,20 +4944,20 @@ B652:                                             ; preds = %B580, %B526, %B454,
   %.456.i26 = inttoptr i64 %.454.i25 to ptr
   %.523.i27 = getelementptr inbounds double, ptr %.456.i26, i64 %.387.i21
   %.581.i28 = icmp sgt i64 %.417.i23, 0
-  br i1 %.581.i28, label %B394.i135, label %B474.i29
+  br i1 %.581.i28, label %B394.i139, label %B474.i29
 
-B394.i135:                                        ; preds = %B652
-  %62 = getelementptr double, ptr %.523.i27, i64 %.292.i17
-  %.592.i136 = getelementptr i8, ptr %62, i64 -8
-  %.593.i137 = load double, ptr %.592.i136, align 8, !noalias !113
-  %.602.i138 = load double, ptr %.523.i27, align 8, !noalias !113
-  %.603.i139 = fsub contract double %.593.i137, %.602.i138
-  %.605.i140 = uitofp nneg i64 %.417.i23 to double
-  %.609.i141 = fdiv contract double %.605.i140, %.603.i139
+B394.i139:                                        ; preds = %B652
+  %63 = getelementptr double, ptr %.523.i27, i64 %.292.i17
+  %.592.i140 = getelementptr i8, ptr %63, i64 -8
+  %.593.i141 = load double, ptr %.592.i140, align 8, !noalias !113
+  %.602.i142 = load double, ptr %.523.i27, align 8, !noalias !113
+  %.603.i143 = fsub contract double %.593.i141, %.602.i142
+  %.605.i144 = uitofp nneg i64 %.417.i23 to double
+  %.609.i145 = fdiv contract double %.605.i144, %.603.i143
   br label %B474.i29
 
-B474.i29:                                         ; preds = %B394.i135, %B652
-  %prepared_grid_v589__vphi308_0.2.0.i = phi double [ %.609.i141, %B394.i135 ], [ 0.000000e+00, %B652 ]
+B474.i29:                                         ; preds = %B394.i139, %B652
+  %prepared_grid_v590__vphi308_0.2.0.i = phi double [ %.609.i145, %B394.i139 ], [ 0.000000e+00, %B652 ]
   %.650.i31 = load i64, ptr %.649.i30, align 8, !noalias !113
   %.658.i33 = inttoptr i64 %.650.i31 to ptr
   %.889.i35 = load i64, ptr %.888.i34, align 8, !noalias !113
@@ -4886,7 +4968,7 @@ B474.i29:                                         ; preds = %B394.i135, %B652
   %.1032.le.i40 = tail call contract double @llvm.log.f64(double %.1024.i39)
   %.1052.i42 = fsub contract double %.1032.le.i40, %.1045.le.i41
   store i64 0, ptr %.1098.i7, align 8, !noalias !113
-  call fastcc void @inner_8(ptr nonnull %.1098.i7, ptr %.523.i27, i64 %.292.i17, ptr %.658.i33, i64 %.417.i23, double %prepared_grid_v589__vphi308_0.2.0.i, double %.1052.i42)
+  call fastcc void @inner_8(ptr nonnull %.1098.i7, ptr %.523.i27, i64 %.292.i17, ptr %.658.i33, i64 %.417.i23, double %prepared_grid_v590__vphi308_0.2.0.i, double %.1052.i42)
   %.1116.i44 = load i64, ptr %.1098.i7, align 8, !noalias !113
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(32) %.1138.i9, i8 0, i64 32, i1 false), !noalias !113
   %.1187.i45 = call fastcc i32 @inner_9(ptr nonnull %.1138.i9, ptr nonnull %excinfo.6.i10, ptr readonly %arg.state.0.4, ptr readonly %arg.state.1.4, ptr readonly %arg.state.2.4, ptr readonly %arg.state.3.4, i64 %arg.state.5, ptr nonnull readonly %arg.state.6.4, i64 range(i64 8, 1) %arg.state.7.0, i64 range(i64 8, 1) %arg.state.7.1, i64 range(i64 8, 0) %arg.state.7.2, ptr %arg.state.9.0.4, i64 range(i64 8, 1) %arg.state.9.0.5.0, ptr %arg.state.9.1.4, i64 range(i64 8, 1) %arg.state.9.1.5.0, ptr readonly %arg.state.10.0.4, ptr nonnull readonly %arg.state.10.1.4, ptr %arg.state.11.4, ptr %arg.state.15.4, double %.303.i19)
@@ -4897,24 +4979,24 @@ B474.i29:                                         ; preds = %B394.i135, %B652
   %cond.i50 = icmp eq i32 %.1187.i45, 0
   br i1 %cond.i50, label %for.end.1.endif.endif.i54, label %for.end.1.endif.if.i51, !prof !20
 
-B476.i133:                                        ; preds = %for.end.1.endif.endif.i54
+B476.i137:                                        ; preds = %for.end.1.endif.endif.i54
   store ptr null, ptr %.1222.i11, align 8, !noalias !113
   call fastcc void @inner_10(ptr nonnull %.1222.i11, ptr readonly %arg.state.1.4, ptr readonly %arg.state.2.4, ptr nonnull readonly %arg.state.6.4, i64 range(i64 8, 1) %arg.state.7.0, i64 range(i64 8, 1) %arg.state.7.1, ptr readonly %arg.state.8.0.4, ptr readonly %arg.state.8.1.4, ptr %arg.state.11.4, ptr %arg.state.13.4, ptr %arg.state.14.4, ptr %arg.state.15.4, double %.303.i19)
   br label %B634.i
 
-B634.i:                                           ; preds = %for.end.1.endif.endif.i54, %B476.i133
+B634.i:                                           ; preds = %for.end.1.endif.endif.i54, %B476.i137
   %.1333.i = sub i64 %last.3.2, %first.2.0
   %.1334.i = icmp sgt i64 %.1333.i, 0
   br i1 %.1334.i, label %B728.if.lr.ph.i, label %B904.i56
 
 B728.if.lr.ph.i:                                  ; preds = %B634.i
   %.1640.le.i = tail call contract double @llvm.log.f64(double %.303.i19)
-  %63 = add nuw i64 %.1333.i, 1
-  %64 = add i64 %.idx, 48
+  %64 = add nuw i64 %.1333.i, 1
+  %65 = add i64 %.idx, 48
   br label %B728.if.i
 
-B782.i:                                           ; preds = %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v302B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx.exit.i, %B728.if.i
-  %ratios.3.1.i = phi i1 [ %ratios.2.02441.i, %B728.if.i ], [ true, %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v302B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx.exit.i ]
+B782.i:                                           ; preds = %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v303B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx.exit.i, %B728.if.i
+  %ratios.3.1.i = phi i1 [ %ratios.2.02441.i, %B728.if.i ], [ true, %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v303B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx.exit.i ]
   %lsr.iv.next199.i = add i64 %lsr.iv198.i, -1
   %lsr.iv.next201.i = add i64 %lsr.iv200.i, 72
   %.1376.i = icmp sgt i64 %lsr.iv.next199.i, 1
@@ -4922,12 +5004,12 @@ B782.i:                                           ; preds = %_ZN17bnserve_surrog
 
 B904.i56:                                         ; preds = %B782.i, %B634.i
   %ratios.2.0.lcssa.i = phi i1 [ false, %B634.i ], [ %ratios.3.1.i, %B782.i ]
-  %65 = add nuw i64 %.292.i17, 127
-  %.1817.i57 = lshr i64 %65, 7
+  %66 = add nuw i64 %.292.i17, 127
+  %.1817.i57 = lshr i64 %66, 7
   %.1796.inv.i58 = icmp slt i64 %.292.i17, 1
   %.18382500.not2511.i = icmp eq i64 %.1817.i57, 0
   %.18382500.not.i = select i1 %.1796.inv.i58, i1 true, i1 %.18382500.not2511.i
-  br i1 %.18382500.not.i, label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, label %B932.if.lr.ph.i
+  br i1 %.18382500.not.i, label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v579B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit, label %B932.if.lr.ph.i
 
 B932.if.lr.ph.i:                                  ; preds = %B904.i56
   %not.ratios.2.0.i = xor i1 %ratios.2.0.lcssa.i, true
@@ -4936,10 +5018,10 @@ B932.if.lr.ph.i:                                  ; preds = %B904.i56
   %..13332386.i = tail call i64 @llvm.smax.i64(i64 %.1333.i, i64 0)
   %.6.i.i.i = insertelement <8 x double> poison, double %.2554.i, i64 0
   %.7.i.i.i = shufflevector <8 x double> %.6.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %66 = add nuw i64 %..13332386.i, 1
-  %67 = add i64 %.idx, 48
-  %68 = icmp eq i64 %last.3.2, %first.2.0
-  %69 = icmp slt i64 %.1333.i, 1
+  %67 = add nuw i64 %..13332386.i, 1
+  %68 = add i64 %.idx, 48
+  %69 = icmp eq i64 %last.3.2, %first.2.0
+  %70 = icmp slt i64 %.1333.i, 1
   %.2152.le.i.i = tail call contract double @llvm.log.f64(double %.303.i19)
   %.3548.i.i = fmul contract double %.303.i19, 0x400921FB54442D18
   %.3551.i.i = tail call contract double @llvm.pow.f64(double %.3548.i.i, double 0x3FD5555555555555)
@@ -4947,31 +5029,31 @@ B932.if.lr.ph.i:                                  ; preds = %B904.i56
   %.7.i.i.i.i = shufflevector <8 x double> %.6.i14.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   br label %B932.if.i60
 
-B932.loopexit.i:                                  ; preds = %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v431B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i, %B1398.i, %B1238.i
-  %lsr.iv.next.i68 = add i64 %lsr.iv187.i, 128
+B932.loopexit.i:                                  ; preds = %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v432B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i, %B1398.i, %B1238.i
+  %lsr.iv.next.i69 = add i64 %lsr.iv187.i, 128
   %lsr.iv.next190.i = add i64 %lsr.iv189.i, -128
-  %.1838.i69 = icmp sgt i64 %.183724562504.i, 1
-  br i1 %.1838.i69, label %B932.if.i60, label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
+  %.1838.i70 = icmp sgt i64 %.183724562504.i, 1
+  br i1 %.1838.i70, label %B932.if.i60, label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v579B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
 
-B938.i75:                                         ; preds = %B932.if.i60
+B938.i79:                                         ; preds = %B932.if.i60
   call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(16) %.2181.i13, i8 0, i64 16, i1 false), !noalias !113
   call fastcc void @inner_11(ptr nonnull %.2181.i13, ptr readonly %arg.state.0.4, ptr readonly %arg.state.1.4, ptr readonly %arg.state.2.4, ptr readonly %arg.state.3.4, i64 %arg.state.5, ptr nonnull readonly %arg.state.6.4, i64 range(i64 8, 1) %arg.state.7.0, i64 range(i64 8, 1) %arg.state.7.1, i64 range(i64 8, 0) %arg.state.7.2, ptr readonly %arg.state.8.0.4, ptr readonly %arg.state.8.1.4, ptr %arg.state.9.0.4, ptr %arg.state.9.1.4, ptr %arg.state.11.4, ptr %arg.state.14.4, ptr %arg.state.15.4, double %.303.i19, i64 %.184424672503.i, i64 %.13.i79.i, i64 %.1197.fca.0.load.i46, i64 %.1197.fca.1.load.i47, i64 %.1197.fca.2.load.i48, i64 %.1197.fca.3.load.i49, i64 %cells.2.sroa.0.02506.i, i64 %cells.2.sroa.13.02505.i, i64 %..i)
-  %.2246.fca.0.load.i77 = load i64, ptr %.2181.i13, align 8, !noalias !113
-  %.2246.fca.1.load.i78 = load i64, ptr %sunkaddr.i59, align 8, !noalias !113
+  %.2246.fca.0.load.i81 = load i64, ptr %.2181.i13, align 8, !noalias !113
+  %.2246.fca.1.load.i82 = load i64, ptr %sunkaddr.i59, align 8, !noalias !113
   br i1 %ratios.2.0.lcssa.i, label %B48.if.i.preheader.i, label %B1236.i63
 
-B48.if.i.preheader.i:                             ; preds = %B938.i75
+B48.if.i.preheader.i:                             ; preds = %B938.i79
   %smin.i = tail call i64 @llvm.smin.i64(i64 %.292.i17, i64 %.13.i78.i)
   %smin7.i = tail call i64 @llvm.smin.i64(i64 %smin.i, i64 %lsr.iv187.i)
-  %70 = add i64 %smin7.i, %lsr.iv189.i
-  %71 = lshr i64 %70, 3
-  %72 = add nuw nsw i64 %71, 6
+  %71 = add i64 %smin7.i, %lsr.iv189.i
+  %72 = lshr i64 %71, 3
+  %73 = add nuw nsw i64 %72, 6
   br label %B48.if.i.i
 
-B1236.i63:                                        ; preds = %B48.if.i.i, %B932.if.i60, %B938.i75
-  %cells.3.sroa.12.1.i64 = phi i64 [ %cells.2.sroa.13.02505.i, %B932.if.i60 ], [ %.2246.fca.1.load.i78, %B938.i75 ], [ %.2246.fca.1.load.i78, %B48.if.i.i ]
-  %cells.3.sroa.0.1.i65 = phi i64 [ %cells.2.sroa.0.02506.i, %B932.if.i60 ], [ %.2246.fca.0.load.i77, %B938.i75 ], [ %.2246.fca.0.load.i77, %B48.if.i.i ]
-  br i1 %68, label %B1238.i, label %B1398.i
+B1236.i63:                                        ; preds = %B48.if.i.i, %B932.if.i60, %B938.i79
+  %cells.3.sroa.12.1.i64 = phi i64 [ %cells.2.sroa.13.02505.i, %B932.if.i60 ], [ %.2246.fca.1.load.i82, %B938.i79 ], [ %.2246.fca.1.load.i82, %B48.if.i.i ]
+  %cells.3.sroa.0.1.i65 = phi i64 [ %cells.2.sroa.0.02506.i, %B932.if.i60 ], [ %.2246.fca.0.load.i81, %B938.i79 ], [ %.2246.fca.0.load.i81, %B48.if.i.i ]
+  br i1 %69, label %B1238.i, label %B1398.i
 
 B1238.i:                                          ; preds = %B1236.i63
   store ptr null, ptr %.2617.i, align 8, !noalias !113
@@ -4979,63 +5061,63 @@ B1238.i:                                          ; preds = %B1236.i63
   br label %B932.loopexit.i
 
 B1398.i:                                          ; preds = %B1236.i63
-  br i1 %69, label %B932.loopexit.i, label %B1402.if.preheader.i
+  br i1 %70, label %B932.loopexit.i, label %B1402.if.preheader.i
 
 B1402.if.preheader.i:                             ; preds = %B1398.i
   %.2143.i.i = sub i64 %.13.i79.i, %.184424672503.i
-  %73 = add nuw i64 %.2143.i.i, 7
-  %.616.i.i.i = lshr i64 %73, 3
+  %74 = add nuw i64 %.2143.i.i, 7
+  %.616.i.i.i = lshr i64 %74, 3
   %.595.inv.i.i.i = icmp slt i64 %.2143.i.i, 1
   %.637334.not343.i.i.i = icmp eq i64 %.616.i.i.i, 0
   %.637334.not.i.i.i = select i1 %.595.inv.i.i.i, i1 true, i1 %.637334.not343.i.i.i
   %.1026.i.i.i = icmp sgt i64 %.2143.i.i, 0
-  %74 = add nsw i64 %.2143.i.i, -1
-  %75 = shl i64 %.184424672503.i, 3
+  %75 = add nsw i64 %.2143.i.i, -1
+  %76 = shl i64 %.184424672503.i, 3
   %.4061.i.i = sub nsw i64 %.13.i.i61, %.184424672503.i
   %.4062.i.i = shl i64 %.4061.i.i, 4
   %unroll_iter.i72.i.i = and i64 %.2143.i.i, 9223372036854775806
-  %76 = sub i64 %.4061.i.i, %.2143.i.i
-  %.58.i207.i.i = shl i64 %76, 1
+  %77 = sub i64 %.4061.i.i, %.2143.i.i
+  %.58.i207.i.i = shl i64 %77, 1
   %.20.i210.i.i = shl i64 %.2143.i.i, 1
-  %77 = sub i64 %.2143.i.i, %.4061.i.i
-  %78 = add nsw i64 %unroll_iter.i72.i.i, -2
-  %79 = lshr exact i64 %78, 1
-  %80 = add nuw i64 %79, 1
-  %81 = sub i64 8704, %75
-  %scevgep546.i.i = getelementptr i8, ptr %arg.state.15.4, i64 %81
-  %82 = sub i64 %.13.i.i61, %.13.i79.i
-  %83 = shl i64 %82, 1
-  %84 = and i64 %83, 2
-  %85 = shl i64 %.2143.i.i, 4
-  %86 = or disjoint i64 %.4062.i.i, 8
-  %87 = add i64 %.4062.i.i, 16
-  %88 = add i64 %.4062.i.i, 24
-  %89 = lshr i64 %80, 1
-  %90 = mul nsw i64 %89, -2
-  %91 = icmp slt i64 %.58.i207.i.i, 1
-  %92 = icmp eq i64 %.2143.i.i, 1
-  %93 = icmp eq i64 %78, 0
-  %94 = and i64 %78, 2
-  %95 = icmp eq i64 %94, 0
-  %96 = and i64 %.13.i79.i, 1
-  %97 = icmp eq i64 %96, 0
-  %98 = and i64 %76, 1
-  %99 = icmp eq i64 %98, 0
-  %100 = trunc i64 %77 to i63
-  %101 = icmp eq i63 %100, -1
+  %78 = sub i64 %.2143.i.i, %.4061.i.i
+  %79 = add nsw i64 %unroll_iter.i72.i.i, -2
+  %80 = lshr exact i64 %79, 1
+  %81 = add nuw i64 %80, 1
+  %82 = sub i64 8704, %76
+  %scevgep546.i.i = getelementptr i8, ptr %arg.state.15.4, i64 %82
+  %83 = sub i64 %.13.i.i61, %.13.i79.i
+  %84 = shl i64 %83, 1
+  %85 = and i64 %84, 2
+  %86 = shl i64 %.2143.i.i, 4
+  %87 = or disjoint i64 %.4062.i.i, 8
+  %88 = add i64 %.4062.i.i, 16
+  %89 = add i64 %.4062.i.i, 24
+  %90 = lshr i64 %81, 1
+  %91 = mul nsw i64 %90, -2
+  %92 = icmp slt i64 %.58.i207.i.i, 1
+  %93 = icmp eq i64 %.2143.i.i, 1
+  %94 = icmp eq i64 %79, 0
+  %95 = and i64 %79, 2
+  %96 = icmp eq i64 %95, 0
+  %97 = and i64 %.13.i79.i, 1
+  %98 = icmp eq i64 %97, 0
+  %99 = and i64 %77, 1
+  %100 = icmp eq i64 %99, 0
+  %101 = trunc i64 %78 to i63
+  %102 = icmp eq i63 %101, -1
   br label %B1402.if.i
 
 for.end.1.endif.if.i51:                           ; preds = %B474.i29
   %.1188.i52 = load ptr, ptr %excinfo.6.i10, align 8, !noalias !113
-  br label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
+  br label %_ZN17bnserve_surrogate8tangents4_row6_orderB4v579B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
 
 for.end.1.endif.endif.i54:                        ; preds = %B474.i29
   %.1217.i55 = icmp slt i64 %.1197.fca.1.load.i47, %.1116.i44
-  br i1 %.1217.i55, label %B476.i133, label %B634.i
+  br i1 %.1217.i55, label %B476.i137, label %B634.i
 
 B728.if.i:                                        ; preds = %B782.i, %B728.if.lr.ph.i
-  %lsr.iv200.i = phi i64 [ %64, %B728.if.lr.ph.i ], [ %lsr.iv.next201.i, %B782.i ]
-  %lsr.iv198.i = phi i64 [ %63, %B728.if.lr.ph.i ], [ %lsr.iv.next199.i, %B782.i ]
+  %lsr.iv200.i = phi i64 [ %65, %B728.if.lr.ph.i ], [ %lsr.iv.next201.i, %B782.i ]
+  %lsr.iv198.i = phi i64 [ %64, %B728.if.lr.ph.i ], [ %lsr.iv.next199.i, %B782.i ]
   %ratios.2.02441.i = phi i1 [ false, %B728.if.lr.ph.i ], [ %ratios.3.1.i, %B782.i ]
   %.1455.i = load i64, ptr %.393, align 8, !noalias !113
   %.1459.i = inttoptr i64 %.1455.i to ptr
@@ -5069,58 +5151,58 @@ for.end.2.i:                                      ; preds = %B728.if.i
   %.891.i.i = load i64, ptr %.890.i.i, align 8, !noalias !117
   %invariant.gep.idx.i.i = shl i64 %.570.i.i, 5
   %invariant.gep.i.i = getelementptr i8, ptr %.684.i.i, i64 %invariant.gep.idx.i.i
-  %102 = lshr i64 %.570.i.i, 33
-  %.99.i.i.i81 = and i64 %102, 1073741824
-  %.100.i.i.i82 = sub i64 %.99.i.i.i81, %.536.1.i.i
-  %.234.i.i.i83 = shl i64 %.570.i.i, 1
-  %.272.i.i.i84 = add i64 %.99.i.i.i81, %.234.i.i.i83
-  %103 = add i64 %.527.i.i, 6
-  %.486.i.i.i85 = lshr i64 %103, 3
-  %.463.inv.i.i.i86 = icmp slt i64 %.527.i.i, 2
-  %.507321.not325.i.i.i87 = icmp eq i64 %.486.i.i.i85, 0
-  %.507321.not.i.i.i88 = select i1 %.463.inv.i.i.i86, i1 true, i1 %.507321.not325.i.i.i87
-  %104 = lshr i64 %.528.i.i, 3
-  %.neg.i.i = mul i64 %104, -192
-  %105 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg.i.i
-  %scevgep414.i.i = getelementptr i8, ptr %105, i64 %.684.idx.i.i
-  %106 = mul i64 %104, -512
-  %107 = shl i64 %104, 7
-  %108 = sub i64 %.684.idx.i.i, %107
-  %scevgep417.i.i = getelementptr i8, ptr %arg.state.16.4, i64 %108
-  %109 = shl i64 %104, 6
-  %110 = sub i64 %.684.idx.i.i, %109
-  %scevgep421.i.i = getelementptr i8, ptr %arg.state.16.4, i64 %110
-  %111 = mul i64 %104, %56
-  %scevgep429.i.i = getelementptr i8, ptr %arg.state.4.4, i64 %111
-  %112 = mul i64 %104, -2048
-  %.neg1.i.i = mul i64 %104, -448
-  %113 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg1.i.i
-  %scevgep441.i.i = getelementptr i8, ptr %113, i64 %.684.idx.i.i
-  %.neg2.i.i = mul i64 %104, -384
-  %114 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg2.i.i
-  %scevgep445.i.i = getelementptr i8, ptr %114, i64 %.684.idx.i.i
-  %.neg3.i.i = mul i64 %104, -320
-  %115 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg3.i.i
-  %scevgep449.i.i = getelementptr i8, ptr %115, i64 %.684.idx.i.i
-  %116 = mul i64 %104, %57
-  %scevgep458.i.i = getelementptr i8, ptr %arg.state.4.4, i64 %116
-  %117 = mul i64 %104, %58
-  %118 = tail call i64 @llvm.smax.i64(i64 %.100.i.i.i82, i64 0)
-  %.88.sroa.0.3.i.i.i89 = tail call i64 @llvm.smin.i64(i64 %118, i64 1073741824)
-  %119 = tail call i64 @llvm.smax.i64(i64 %.272.i.i.i84, i64 0)
-  %120 = mul i64 %104, %55
-  %121 = sub i64 8, %120
-  %scevgep29.i.i = getelementptr i8, ptr %arg.state.4.4, i64 %121
-  %122 = getelementptr i8, ptr %arg.state.4.4, i64 %117
-  %scevgep42.i.i = getelementptr i8, ptr %122, i64 8
-  %123 = add nuw nsw i64 %.486.i.i.i85, 7
-  %smin.i.i = tail call i64 @llvm.smin.i64(i64 %119, i64 1073741824)
-  %124 = add i64 %smin.i.i, %.891.i.i
-  %125 = shl i64 %124, 3
-  %scevgep30.i.i = getelementptr i8, ptr %.444.i.i, i64 %125
-  %126 = add i64 %.88.sroa.0.3.i.i.i89, %.891.i.i
-  %127 = shl i64 %126, 3
-  %scevgep36.i.i = getelementptr i8, ptr %.444.i.i, i64 %127
+  %103 = lshr i64 %.570.i.i, 33
+  %.99.i.i.i85 = and i64 %103, 1073741824
+  %.100.i.i.i86 = sub i64 %.99.i.i.i85, %.536.1.i.i
+  %.234.i.i.i87 = shl i64 %.570.i.i, 1
+  %.272.i.i.i88 = add i64 %.99.i.i.i85, %.234.i.i.i87
+  %104 = add i64 %.527.i.i, 6
+  %.486.i.i.i89 = lshr i64 %104, 3
+  %.463.inv.i.i.i90 = icmp slt i64 %.527.i.i, 2
+  %.507321.not325.i.i.i91 = icmp eq i64 %.486.i.i.i89, 0
+  %.507321.not.i.i.i92 = select i1 %.463.inv.i.i.i90, i1 true, i1 %.507321.not325.i.i.i91
+  %105 = lshr i64 %.528.i.i, 3
+  %.neg.i.i = mul i64 %105, -192
+  %106 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg.i.i
+  %scevgep414.i.i = getelementptr i8, ptr %106, i64 %.684.idx.i.i
+  %107 = mul i64 %105, -512
+  %108 = shl i64 %105, 7
+  %109 = sub i64 %.684.idx.i.i, %108
+  %scevgep417.i.i = getelementptr i8, ptr %arg.state.16.4, i64 %109
+  %110 = shl i64 %105, 6
+  %111 = sub i64 %.684.idx.i.i, %110
+  %scevgep421.i.i = getelementptr i8, ptr %arg.state.16.4, i64 %111
+  %112 = mul i64 %105, %57
+  %scevgep429.i.i = getelementptr i8, ptr %arg.state.4.4, i64 %112
+  %113 = mul i64 %105, -2048
+  %.neg1.i.i = mul i64 %105, -448
+  %114 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg1.i.i
+  %scevgep441.i.i = getelementptr i8, ptr %114, i64 %.684.idx.i.i
+  %.neg2.i.i = mul i64 %105, -384
+  %115 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg2.i.i
+  %scevgep445.i.i = getelementptr i8, ptr %115, i64 %.684.idx.i.i
+  %.neg3.i.i = mul i64 %105, -320
+  %116 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg3.i.i
+  %scevgep449.i.i = getelementptr i8, ptr %116, i64 %.684.idx.i.i
+  %117 = mul i64 %105, %58
+  %scevgep458.i.i = getelementptr i8, ptr %arg.state.4.4, i64 %117
+  %118 = mul i64 %105, %59
+  %119 = tail call i64 @llvm.smax.i64(i64 %.100.i.i.i86, i64 0)
+  %.88.sroa.0.3.i.i.i93 = tail call i64 @llvm.smin.i64(i64 %119, i64 1073741824)
+  %120 = tail call i64 @llvm.smax.i64(i64 %.272.i.i.i88, i64 0)
+  %121 = mul i64 %105, %56
+  %122 = sub i64 8, %121
+  %scevgep29.i.i = getelementptr i8, ptr %arg.state.4.4, i64 %122
+  %123 = getelementptr i8, ptr %arg.state.4.4, i64 %118
+  %scevgep42.i.i = getelementptr i8, ptr %123, i64 8
+  %124 = add nuw nsw i64 %.486.i.i.i89, 7
+  %smin.i.i = tail call i64 @llvm.smin.i64(i64 %120, i64 1073741824)
+  %125 = add i64 %smin.i.i, %.891.i.i
+  %126 = shl i64 %125, 3
+  %scevgep30.i.i = getelementptr i8, ptr %.444.i.i, i64 %126
+  %127 = add i64 %.88.sroa.0.3.i.i.i93, %.891.i.i
+  %128 = shl i64 %127, 3
+  %scevgep36.i.i = getelementptr i8, ptr %.444.i.i, i64 %128
   br label %B80.if.i.i
 
 B382.i.i:                                         ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i
@@ -5135,12 +5217,12 @@ B382.i.i:                                         ; preds = %_ZN17bnserve_surrog
   %.2326.i.i = getelementptr double, ptr %.2259.i.i, i64 %.2058.i.i
   %.2474.i.i = load double, ptr %.1653.i.i, align 8, !noalias !117
   %.2481.i.i = fdiv contract double 1.000000e+00, %.2474.i.i
-  %.120148.not.i.i.i113 = icmp slt i64 %.570.i.i, 1
-  br i1 %.120148.not.i.i.i113, label %_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE.exit206.i.i, label %B34.if.lr.ph.i.i.i114
+  %.120148.not.i.i.i117 = icmp slt i64 %.570.i.i, 1
+  br i1 %.120148.not.i.i.i117, label %_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE.exit206.i.i, label %B34.if.lr.ph.i.i.i118
 
 B6308.i.i:                                        ; preds = %_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE.exit206.i.i
-  %128 = getelementptr double, ptr %.2862.i.i, i64 %.2698.i.i
-  %.2931.i.i = getelementptr i8, ptr %128, i64 -8
+  %129 = getelementptr double, ptr %.2862.i.i, i64 %.2698.i.i
+  %.2931.i.i = getelementptr i8, ptr %129, i64 -8
   %.2932.i.i = load double, ptr %.2931.i.i, align 8, !noalias !117
   %.2941.i.i = load double, ptr %.2862.i.i, align 8, !noalias !117
   %.2942.i.i = fsub contract double %.2932.i.i, %.2941.i.i
@@ -5149,22 +5231,22 @@ B6308.i.i:                                        ; preds = %_ZN17bnserve_surrog
   br label %B6388.i.i
 
 B6388.i.i:                                        ; preds = %_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE.exit206.i.i, %B6308.i.i
-  %prepared_grid_v309__vphi308_0.2.0.i.i = phi double [ %.2948.i.i, %B6308.i.i ], [ 0.000000e+00, %_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE.exit206.i.i ]
+  %prepared_grid_v310__vphi308_0.2.0.i.i = phi double [ %.2948.i.i, %B6308.i.i ], [ 0.000000e+00, %_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE.exit206.i.i ]
   %.2989.i.i = load i64, ptr %.649.i30, align 8, !noalias !117
   %.2997.i.i = inttoptr i64 %.2989.i.i to ptr
   %.3226.i.i = load double, ptr %.904.i.i, align 8, !noalias !117
   %.3228.i.i = fsub contract double %.3226.i.i, %.1640.le.i
   store i64 0, ptr %.3274.i.i, align 8, !noalias !117
-  call fastcc void @inner_8(ptr nonnull %.3274.i.i, ptr %.2862.i.i, i64 %.2698.i.i, ptr %.2997.i.i, i64 %.2758.i.i, double %prepared_grid_v309__vphi308_0.2.0.i.i, double %.3228.i.i)
+  call fastcc void @inner_8(ptr nonnull %.3274.i.i, ptr %.2862.i.i, i64 %.2698.i.i, ptr %.2997.i.i, i64 %.2758.i.i, double %prepared_grid_v310__vphi308_0.2.0.i.i, double %.3228.i.i)
   %.3292.i.i = load i64, ptr %.3274.i.i, align 8, !noalias !117
   %.13.i.i.i = tail call i64 @llvm.smin.i64(i64 %.1116.i44, i64 %.3292.i.i)
   store i64 %.13.i.i.i, ptr %.746.i.i, align 8, !noalias !117
-  %129 = getelementptr double, ptr %.904.i.i, i64 %.527.i.i
-  %.3405.i.i = getelementptr i8, ptr %129, i64 -8
+  %130 = getelementptr double, ptr %.904.i.i, i64 %.527.i.i
+  %.3405.i.i = getelementptr i8, ptr %130, i64 -8
   %.3406.i.i = load double, ptr %.3405.i.i, align 8, !noalias !117
   %.3408.i.i = fsub contract double %.3406.i.i, %.1640.le.i
   store i64 0, ptr %.3454.i.i, align 8, !noalias !117
-  call fastcc void @inner_8(ptr nonnull %.3454.i.i, ptr %.2862.i.i, i64 %.2698.i.i, ptr %.2997.i.i, i64 %.2758.i.i, double %prepared_grid_v309__vphi308_0.2.0.i.i, double %.3408.i.i)
+  call fastcc void @inner_8(ptr nonnull %.3454.i.i, ptr %.2862.i.i, i64 %.2698.i.i, ptr %.2997.i.i, i64 %.2758.i.i, double %prepared_grid_v310__vphi308_0.2.0.i.i, double %.3408.i.i)
   %.3472.i.i = load i64, ptr %.3454.i.i, align 8, !noalias !117
   %.13.i217.i.i = tail call i64 @llvm.smin.i64(i64 %.1116.i44, i64 %.3472.i.i)
   %.3547.i.i = getelementptr i8, ptr %.746.i.i, i64 8
@@ -5176,7 +5258,7 @@ B6388.i.i:                                        ; preds = %_ZN17bnserve_surrog
   %.181.i.i.i = icmp slt i64 %.527.i.i, 3
   %..143.i.i.i = select i1 %.181.i.i.i, i64 0, i64 %.143.i.i.i
   %.225207.i.i.i = icmp sgt i64 %..143.i.i.i, 0
-  br i1 %.225207.i.i.i, label %B92.if.preheader.i.i.i, label %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v302B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx.exit.i
+  br i1 %.225207.i.i.i, label %B92.if.preheader.i.i.i, label %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v303B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx.exit.i
 
 B80.if.i.i:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i, %for.end.2.i
   %lsr.iv43.i.i = phi ptr [ %scevgep44.i.i, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i ], [ %scevgep42.i.i, %for.end.2.i ]
@@ -5190,63 +5272,63 @@ B80.if.i.i:                                       ; preds = %_ZN17bnserve_surrog
   %lsr.iv425.i.i = phi ptr [ %scevgep426.i.i, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i ], [ %.684.i.i, %for.end.2.i ]
   %lsr.iv422.i.i = phi ptr [ %scevgep423.i.i, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i ], [ %scevgep421.i.i, %for.end.2.i ]
   %lsr.iv418.i.i = phi ptr [ %scevgep419.i.i, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i ], [ %scevgep417.i.i, %for.end.2.i ]
-  %lsr.iv.i.i90 = phi ptr [ %scevgep415.i.i, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i ], [ %scevgep414.i.i, %for.end.2.i ]
+  %lsr.iv.i.i94 = phi ptr [ %scevgep415.i.i, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i ], [ %scevgep414.i.i, %for.end.2.i ]
   %.125817191728.i.i = phi i64 [ %.1265.i.i, %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i ], [ 0, %for.end.2.i ]
   %.1265.i.i = add nuw nsw i64 %.125817191728.i.i, 1
   %.1388.i.i = load i64, ptr %.666.i.i, align 8, !noalias !117
   %.idx.i.i = mul i64 %.1388.i.i, 48
-  br i1 %.507321.not.i.i.i88, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i, label %B94.if.lr.ph.i.i.i91
+  br i1 %.507321.not.i.i.i92, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i, label %B94.if.lr.ph.i.i.i95
 
-B94.if.lr.ph.i.i.i91:                             ; preds = %B80.if.i.i
+B94.if.lr.ph.i.i.i95:                             ; preds = %B80.if.i.i
   %scevgep432.i.i = getelementptr i8, ptr %lsr.iv430.i.i, i64 %.idx.i.i
   %scevgep32.i.i = getelementptr i8, ptr %lsr.iv30.i.i, i64 %.idx.i.i
-  br label %B94.if.i.i.i92
+  br label %B94.if.i.i.i96
 
-B94.if.i.i.i92:                                   ; preds = %B94.if.i.i.i92, %B94.if.lr.ph.i.i.i91
-  %lsr.iv28.i.i = phi i64 [ %lsr.iv.next29.i.i, %B94.if.i.i.i92 ], [ %123, %B94.if.lr.ph.i.i.i91 ]
-  %lsr.iv53.i.i.i93 = phi i64 [ %lsr.iv.next54.i.i.i110, %B94.if.i.i.i92 ], [ 0, %B94.if.lr.ph.i.i.i91 ]
-  %scevgep34.i.i = getelementptr i8, ptr %scevgep32.i.i, i64 %lsr.iv53.i.i.i93
+B94.if.i.i.i96:                                   ; preds = %B94.if.i.i.i96, %B94.if.lr.ph.i.i.i95
+  %lsr.iv28.i.i = phi i64 [ %lsr.iv.next29.i.i, %B94.if.i.i.i96 ], [ %124, %B94.if.lr.ph.i.i.i95 ]
+  %lsr.iv53.i.i.i97 = phi i64 [ %lsr.iv.next54.i.i.i114, %B94.if.i.i.i96 ], [ 0, %B94.if.lr.ph.i.i.i95 ]
+  %scevgep34.i.i = getelementptr i8, ptr %scevgep32.i.i, i64 %lsr.iv53.i.i.i97
   %scevgep35.i.i = getelementptr i8, ptr %scevgep34.i.i, i64 -8
-  %.554.i.i.i94 = load <8 x double>, ptr %scevgep35.i.i, align 8, !noalias !123
-  %.565.i.i.i95 = load <8 x double>, ptr %scevgep34.i.i, align 8, !noalias !123
-  %scevgep433.i.i = getelementptr i8, ptr %scevgep432.i.i, i64 %lsr.iv53.i.i.i93
-  %.575.i.i.i96 = load <8 x double>, ptr %scevgep433.i.i, align 8, !noalias !123
+  %.554.i.i.i98 = load <8 x double>, ptr %scevgep35.i.i, align 8, !noalias !123
+  %.565.i.i.i99 = load <8 x double>, ptr %scevgep34.i.i, align 8, !noalias !123
+  %scevgep433.i.i = getelementptr i8, ptr %scevgep432.i.i, i64 %lsr.iv53.i.i.i97
+  %.575.i.i.i100 = load <8 x double>, ptr %scevgep433.i.i, align 8, !noalias !123
   %scevgep434.i.i = getelementptr i8, ptr %scevgep433.i.i, i64 8
-  %.586.i.i.i97 = load <8 x double>, ptr %scevgep434.i.i, align 8, !noalias !123
-  %scevgep37.i.i = getelementptr i8, ptr %scevgep36.i.i, i64 %lsr.iv53.i.i.i93
-  %.596.i.i.i98 = load <8 x double>, ptr %scevgep37.i.i, align 8, !noalias !123
-  %scevgep33.i.i = getelementptr i8, ptr %scevgep30.i.i, i64 %lsr.iv53.i.i.i93
-  %.606.i.i.i99 = load <8 x double>, ptr %scevgep33.i.i, align 8, !noalias !123
-  %.6.i.i.i.i100 = fsub contract <8 x double> %.565.i.i.i95, %.554.i.i.i94
-  %.6.i46.i.i.i101 = fmul contract <8 x double> %.6.i.i.i.i100, %.606.i.i.i99
-  %scevgep427.i.i = getelementptr i8, ptr %lsr.iv425.i.i, i64 %lsr.iv53.i.i.i93
-  store <8 x double> %.554.i.i.i94, ptr %scevgep427.i.i, align 8, !noalias !123
-  %.669.i.i.i102 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i.i.i96, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i.i.i97)
-  %.8.i.i.i.i103 = fmul contract <8 x double> %.669.i.i.i102, splat (double 0x3FC5555555555555)
-  %.6.i47.i.i.i104 = fmul contract <8 x double> %.596.i.i.i98, %.8.i.i.i.i103
-  %.6.i48.i.i.i105 = fsub contract <8 x double> %.6.i46.i.i.i101, %.6.i47.i.i.i104
-  %scevgep424.i.i = getelementptr i8, ptr %lsr.iv422.i.i, i64 %lsr.iv53.i.i.i93
-  store <8 x double> %.6.i48.i.i.i105, ptr %scevgep424.i.i, align 8, !noalias !123
-  %.8.i49.i.i.i106 = fmul contract <8 x double> %.575.i.i.i96, splat (double 5.000000e-01)
-  %scevgep420.i.i = getelementptr i8, ptr %lsr.iv418.i.i, i64 %lsr.iv53.i.i.i93
-  store <8 x double> %.8.i49.i.i.i106, ptr %scevgep420.i.i, align 8, !noalias !123
-  %.6.i50.i.i.i107 = fsub contract <8 x double> %.586.i.i.i97, %.575.i.i.i96
-  %.6.i51.i.i.i108 = fmul contract <8 x double> %.6.i50.i.i.i107, %.606.i.i.i99
-  %.8.i52.i.i.i109 = fmul contract <8 x double> %.6.i51.i.i.i108, splat (double 0x3FC5555555555555)
-  %scevgep416.i.i = getelementptr i8, ptr %lsr.iv.i.i90, i64 %lsr.iv53.i.i.i93
-  store <8 x double> %.8.i52.i.i.i109, ptr %scevgep416.i.i, align 8, !noalias !123
-  %lsr.iv.next54.i.i.i110 = add i64 %lsr.iv53.i.i.i93, 64
+  %.586.i.i.i101 = load <8 x double>, ptr %scevgep434.i.i, align 8, !noalias !123
+  %scevgep37.i.i = getelementptr i8, ptr %scevgep36.i.i, i64 %lsr.iv53.i.i.i97
+  %.596.i.i.i102 = load <8 x double>, ptr %scevgep37.i.i, align 8, !noalias !123
+  %scevgep33.i.i = getelementptr i8, ptr %scevgep30.i.i, i64 %lsr.iv53.i.i.i97
+  %.606.i.i.i103 = load <8 x double>, ptr %scevgep33.i.i, align 8, !noalias !123
+  %.6.i.i.i.i104 = fsub contract <8 x double> %.565.i.i.i99, %.554.i.i.i98
+  %.6.i46.i.i.i105 = fmul contract <8 x double> %.6.i.i.i.i104, %.606.i.i.i103
+  %scevgep427.i.i = getelementptr i8, ptr %lsr.iv425.i.i, i64 %lsr.iv53.i.i.i97
+  store <8 x double> %.554.i.i.i98, ptr %scevgep427.i.i, align 8, !noalias !123
+  %.669.i.i.i106 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.575.i.i.i100, <8 x double> splat (double 2.000000e+00), <8 x double> %.586.i.i.i101)
+  %.8.i.i.i.i107 = fmul contract <8 x double> %.669.i.i.i106, splat (double 0x3FC5555555555555)
+  %.6.i47.i.i.i108 = fmul contract <8 x double> %.596.i.i.i102, %.8.i.i.i.i107
+  %.6.i48.i.i.i109 = fsub contract <8 x double> %.6.i46.i.i.i105, %.6.i47.i.i.i108
+  %scevgep424.i.i = getelementptr i8, ptr %lsr.iv422.i.i, i64 %lsr.iv53.i.i.i97
+  store <8 x double> %.6.i48.i.i.i109, ptr %scevgep424.i.i, align 8, !noalias !123
+  %.8.i49.i.i.i110 = fmul contract <8 x double> %.575.i.i.i100, splat (double 5.000000e-01)
+  %scevgep420.i.i = getelementptr i8, ptr %lsr.iv418.i.i, i64 %lsr.iv53.i.i.i97
+  store <8 x double> %.8.i49.i.i.i110, ptr %scevgep420.i.i, align 8, !noalias !123
+  %.6.i50.i.i.i111 = fsub contract <8 x double> %.586.i.i.i101, %.575.i.i.i100
+  %.6.i51.i.i.i112 = fmul contract <8 x double> %.6.i50.i.i.i111, %.606.i.i.i103
+  %.8.i52.i.i.i113 = fmul contract <8 x double> %.6.i51.i.i.i112, splat (double 0x3FC5555555555555)
+  %scevgep416.i.i = getelementptr i8, ptr %lsr.iv.i.i94, i64 %lsr.iv53.i.i.i97
+  store <8 x double> %.8.i52.i.i.i113, ptr %scevgep416.i.i, align 8, !noalias !123
+  %lsr.iv.next54.i.i.i114 = add i64 %lsr.iv53.i.i.i97, 64
   %lsr.iv.next29.i.i = add nsw i64 %lsr.iv28.i.i, -1
-  %.507.i.i.i111 = icmp sgt i64 %lsr.iv28.i.i, 8
-  br i1 %.507.i.i.i111, label %B94.if.i.i.i92, label %B94.if.lr.ph.i127.i.i
+  %.507.i.i.i115 = icmp sgt i64 %lsr.iv28.i.i, 8
+  br i1 %.507.i.i.i115, label %B94.if.i.i.i96, label %B94.if.lr.ph.i127.i.i
 
-B94.if.lr.ph.i127.i.i:                            ; preds = %B94.if.i.i.i92
+B94.if.lr.ph.i127.i.i:                            ; preds = %B94.if.i.i.i96
   %scevgep461.i.i = getelementptr i8, ptr %lsr.iv459.i.i, i64 %.idx.i.i
   %scevgep45.i.i = getelementptr i8, ptr %lsr.iv43.i.i, i64 %.idx.i.i
   br label %B94.if.i129.i.i
 
 B94.if.i129.i.i:                                  ; preds = %B94.if.i129.i.i, %B94.if.lr.ph.i127.i.i
-  %lsr.iv38.i.i = phi i64 [ %lsr.iv.next39.i.i, %B94.if.i129.i.i ], [ %123, %B94.if.lr.ph.i127.i.i ]
+  %lsr.iv38.i.i = phi i64 [ %lsr.iv.next39.i.i, %B94.if.i129.i.i ], [ %124, %B94.if.lr.ph.i127.i.i ]
   %lsr.iv53.i130.i.i = phi i64 [ %lsr.iv.next54.i159.i.i, %B94.if.i129.i.i ], [ 0, %B94.if.lr.ph.i127.i.i ]
   %scevgep47.i.i = getelementptr i8, ptr %scevgep45.i.i, i64 %lsr.iv53.i130.i.i
   %scevgep48.i.i = getelementptr i8, ptr %scevgep47.i.i, i64 -8
@@ -5284,91 +5366,91 @@ B94.if.i129.i.i:                                  ; preds = %B94.if.i129.i.i, %B
   br i1 %.507.i160.i.i, label %B94.if.i129.i.i, label %_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i
 
 _ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE.exit163.i.i: ; preds = %B94.if.i129.i.i, %B80.if.i.i
-  %scevgep415.i.i = getelementptr i8, ptr %lsr.iv.i.i90, i64 %106
-  %scevgep419.i.i = getelementptr i8, ptr %lsr.iv418.i.i, i64 %106
-  %scevgep423.i.i = getelementptr i8, ptr %lsr.iv422.i.i, i64 %106
-  %scevgep426.i.i = getelementptr i8, ptr %lsr.iv425.i.i, i64 %106
-  %scevgep431.i.i = getelementptr i8, ptr %lsr.iv430.i.i, i64 %112
-  %scevgep443.i.i = getelementptr i8, ptr %lsr.iv442.i.i, i64 %106
-  %scevgep447.i.i = getelementptr i8, ptr %lsr.iv446.i.i, i64 %106
-  %scevgep451.i.i = getelementptr i8, ptr %lsr.iv450.i.i, i64 %106
-  %scevgep454.i.i = getelementptr i8, ptr %lsr.iv453.i.i, i64 %106
-  %scevgep460.i.i = getelementptr i8, ptr %lsr.iv459.i.i, i64 %112
-  %scevgep31.i.i = getelementptr i8, ptr %lsr.iv30.i.i, i64 %112
-  %scevgep44.i.i = getelementptr i8, ptr %lsr.iv43.i.i, i64 %112
-  %exitcond.not.i.i112 = icmp eq i64 %.1265.i.i, 6
-  br i1 %exitcond.not.i.i112, label %B382.i.i, label %B80.if.i.i
+  %scevgep415.i.i = getelementptr i8, ptr %lsr.iv.i.i94, i64 %107
+  %scevgep419.i.i = getelementptr i8, ptr %lsr.iv418.i.i, i64 %107
+  %scevgep423.i.i = getelementptr i8, ptr %lsr.iv422.i.i, i64 %107
+  %scevgep426.i.i = getelementptr i8, ptr %lsr.iv425.i.i, i64 %107
+  %scevgep431.i.i = getelementptr i8, ptr %lsr.iv430.i.i, i64 %113
+  %scevgep443.i.i = getelementptr i8, ptr %lsr.iv442.i.i, i64 %107
+  %scevgep447.i.i = getelementptr i8, ptr %lsr.iv446.i.i, i64 %107
+  %scevgep451.i.i = getelementptr i8, ptr %lsr.iv450.i.i, i64 %107
+  %scevgep454.i.i = getelementptr i8, ptr %lsr.iv453.i.i, i64 %107
+  %scevgep460.i.i = getelementptr i8, ptr %lsr.iv459.i.i, i64 %113
+  %scevgep31.i.i = getelementptr i8, ptr %lsr.iv30.i.i, i64 %113
+  %scevgep44.i.i = getelementptr i8, ptr %lsr.iv43.i.i, i64 %113
+  %exitcond.not.i.i116 = icmp eq i64 %.1265.i.i, 6
+  br i1 %exitcond.not.i.i116, label %B382.i.i, label %B80.if.i.i
 
-B34.if.lr.ph.i.i.i114:                            ; preds = %B382.i.i
-  %.223.i.i.i115 = fmul contract double %.2481.i.i, 2.000000e+00
-  %.291.i.i.i116 = fmul contract double %.2481.i.i, 3.000000e+00
-  %130 = mul i64 %.536.1.i.i, -24
-  %scevgep1.i.i.i117 = getelementptr i8, ptr %.2259.i.i, i64 %130
-  %scevgep3.i.i.i = getelementptr i8, ptr %.684.i.i, i64 %130
-  %131 = shl i64 %.570.i.i, 4
-  %scevgep5.i.i.i118 = getelementptr i8, ptr %.2259.i.i, i64 %131
-  %scevgep7.i.i.i = getelementptr i8, ptr %.684.i.i, i64 %131
-  %132 = shl i64 %.570.i.i, 3
-  %scevgep9.i.i.i119 = getelementptr i8, ptr %.2259.i.i, i64 %132
-  %scevgep11.i.i.i = getelementptr i8, ptr %.684.i.i, i64 %132
-  br label %B34.if.i.i.i120
+B34.if.lr.ph.i.i.i118:                            ; preds = %B382.i.i
+  %.223.i.i.i119 = fmul contract double %.2481.i.i, 2.000000e+00
+  %.291.i.i.i120 = fmul contract double %.2481.i.i, 3.000000e+00
+  %131 = mul i64 %.536.1.i.i, -24
+  %scevgep1.i.i.i121 = getelementptr i8, ptr %.2259.i.i, i64 %131
+  %scevgep3.i.i.i = getelementptr i8, ptr %.684.i.i, i64 %131
+  %132 = shl i64 %.570.i.i, 4
+  %scevgep5.i.i.i122 = getelementptr i8, ptr %.2259.i.i, i64 %132
+  %scevgep7.i.i.i = getelementptr i8, ptr %.684.i.i, i64 %132
+  %133 = shl i64 %.570.i.i, 3
+  %scevgep9.i.i.i123 = getelementptr i8, ptr %.2259.i.i, i64 %133
+  %scevgep11.i.i.i = getelementptr i8, ptr %.684.i.i, i64 %133
+  br label %B34.if.i.i.i124
 
-B34.if.i.i.i120:                                  ; preds = %B34.if.i.i.i120, %B34.if.lr.ph.i.i.i114
-  %.126147149.i.i.i121 = phi i64 [ 0, %B34.if.lr.ph.i.i.i114 ], [ %.133.i.i.i122, %B34.if.i.i.i120 ]
-  %.133.i.i.i122 = add nuw nsw i64 %.126147149.i.i.i121, 1
-  %133 = shl i64 %.126147149.i.i.i121, 3
-  %scevgep12.i.i.i123 = getelementptr i8, ptr %scevgep11.i.i.i, i64 %133
-  %.189.i.i.i124 = load double, ptr %scevgep12.i.i.i123, align 8, !noalias !129
-  %.191.i.i.i125 = fmul contract double %.2481.i.i, %.189.i.i.i124
-  %scevgep.i.i.i126 = getelementptr i8, ptr %.2259.i.i, i64 %133
-  store double %.191.i.i.i125, ptr %scevgep.i.i.i126, align 8, !noalias !129
-  %scevgep27.i.i = getelementptr i8, ptr %scevgep7.i.i.i, i64 %133
-  %.256.i.i.i127 = load double, ptr %scevgep27.i.i, align 8, !noalias !129
-  %.257.i.i.i128 = fmul contract double %.223.i.i.i115, %.256.i.i.i127
-  %scevgep26.i.i = getelementptr i8, ptr %scevgep9.i.i.i119, i64 %133
-  store double %.257.i.i.i128, ptr %scevgep26.i.i, align 8, !noalias !129
-  %scevgep25.i.i = getelementptr i8, ptr %scevgep3.i.i.i, i64 %133
-  %.324.i.i.i129 = load double, ptr %scevgep25.i.i, align 8, !noalias !129
-  %.325.i.i.i130 = fmul contract double %.291.i.i.i116, %.324.i.i.i129
-  %scevgep23.i.i = getelementptr i8, ptr %scevgep5.i.i.i118, i64 %133
-  store double %.325.i.i.i130, ptr %scevgep23.i.i, align 8, !noalias !129
-  %scevgep21.i.i = getelementptr i8, ptr %scevgep1.i.i.i117, i64 %133
+B34.if.i.i.i124:                                  ; preds = %B34.if.i.i.i124, %B34.if.lr.ph.i.i.i118
+  %.126147149.i.i.i125 = phi i64 [ 0, %B34.if.lr.ph.i.i.i118 ], [ %.133.i.i.i126, %B34.if.i.i.i124 ]
+  %.133.i.i.i126 = add nuw nsw i64 %.126147149.i.i.i125, 1
+  %134 = shl i64 %.126147149.i.i.i125, 3
+  %scevgep12.i.i.i127 = getelementptr i8, ptr %scevgep11.i.i.i, i64 %134
+  %.189.i.i.i128 = load double, ptr %scevgep12.i.i.i127, align 8, !noalias !129
+  %.191.i.i.i129 = fmul contract double %.2481.i.i, %.189.i.i.i128
+  %scevgep.i.i.i130 = getelementptr i8, ptr %.2259.i.i, i64 %134
+  store double %.191.i.i.i129, ptr %scevgep.i.i.i130, align 8, !noalias !129
+  %scevgep27.i.i = getelementptr i8, ptr %scevgep7.i.i.i, i64 %134
+  %.256.i.i.i131 = load double, ptr %scevgep27.i.i, align 8, !noalias !129
+  %.257.i.i.i132 = fmul contract double %.223.i.i.i119, %.256.i.i.i131
+  %scevgep26.i.i = getelementptr i8, ptr %scevgep9.i.i.i123, i64 %134
+  store double %.257.i.i.i132, ptr %scevgep26.i.i, align 8, !noalias !129
+  %scevgep25.i.i = getelementptr i8, ptr %scevgep3.i.i.i, i64 %134
+  %.324.i.i.i133 = load double, ptr %scevgep25.i.i, align 8, !noalias !129
+  %.325.i.i.i134 = fmul contract double %.291.i.i.i120, %.324.i.i.i133
+  %scevgep23.i.i = getelementptr i8, ptr %scevgep5.i.i.i122, i64 %134
+  store double %.325.i.i.i134, ptr %scevgep23.i.i, align 8, !noalias !129
+  %scevgep21.i.i = getelementptr i8, ptr %scevgep1.i.i.i121, i64 %134
   store double 0.000000e+00, ptr %scevgep21.i.i, align 8, !noalias !129
-  %exitcond.not.i.i.i131 = icmp eq i64 %.133.i.i.i122, %.570.i.i
-  br i1 %exitcond.not.i.i.i131, label %B34.if.lr.ph.i180.i.i, label %B34.if.i.i.i120
+  %exitcond.not.i.i.i135 = icmp eq i64 %.133.i.i.i126, %.570.i.i
+  br i1 %exitcond.not.i.i.i135, label %B34.if.lr.ph.i180.i.i, label %B34.if.i.i.i124
 
-B34.if.lr.ph.i180.i.i:                            ; preds = %B34.if.i.i.i120
-  %scevgep1.i183.i.i = getelementptr i8, ptr %.2326.i.i, i64 %130
-  %scevgep3.i184.i.i = getelementptr i8, ptr %.2135.i.i, i64 %130
-  %scevgep5.i185.i.i = getelementptr i8, ptr %.2326.i.i, i64 %131
-  %scevgep7.i186.i.i = getelementptr i8, ptr %.2135.i.i, i64 %131
-  %scevgep9.i187.i.i = getelementptr i8, ptr %.2326.i.i, i64 %132
-  %scevgep11.i188.i.i = getelementptr i8, ptr %.2135.i.i, i64 %132
-  %.neg4.i.i = mul i64 %104, -3328
-  %134 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg4.i.i
-  %scevgep407.i.i = getelementptr i8, ptr %134, i64 %.684.idx.i.i
+B34.if.lr.ph.i180.i.i:                            ; preds = %B34.if.i.i.i124
+  %scevgep1.i183.i.i = getelementptr i8, ptr %.2326.i.i, i64 %131
+  %scevgep3.i184.i.i = getelementptr i8, ptr %.2135.i.i, i64 %131
+  %scevgep5.i185.i.i = getelementptr i8, ptr %.2326.i.i, i64 %132
+  %scevgep7.i186.i.i = getelementptr i8, ptr %.2135.i.i, i64 %132
+  %scevgep9.i187.i.i = getelementptr i8, ptr %.2326.i.i, i64 %133
+  %scevgep11.i188.i.i = getelementptr i8, ptr %.2135.i.i, i64 %133
+  %.neg4.i.i = mul i64 %105, -3328
+  %135 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg4.i.i
+  %scevgep407.i.i = getelementptr i8, ptr %135, i64 %.684.idx.i.i
   br label %B34.if.i189.i.i
 
 B34.if.i189.i.i:                                  ; preds = %B34.if.i189.i.i, %B34.if.lr.ph.i180.i.i
   %.126147149.i190.i.i = phi i64 [ 0, %B34.if.lr.ph.i180.i.i ], [ %.133.i191.i.i, %B34.if.i189.i.i ]
   %.133.i191.i.i = add nuw nsw i64 %.126147149.i190.i.i, 1
-  %135 = shl i64 %.126147149.i190.i.i, 3
-  %scevgep12.i192.i.i = getelementptr i8, ptr %scevgep11.i188.i.i, i64 %135
+  %136 = shl i64 %.126147149.i190.i.i, 3
+  %scevgep12.i192.i.i = getelementptr i8, ptr %scevgep11.i188.i.i, i64 %136
   %.189.i193.i.i = load double, ptr %scevgep12.i192.i.i, align 8, !noalias !132
   %.191.i194.i.i = fmul contract double %.2481.i.i, %.189.i193.i.i
-  %scevgep408.i.i = getelementptr i8, ptr %scevgep407.i.i, i64 %135
+  %scevgep408.i.i = getelementptr i8, ptr %scevgep407.i.i, i64 %136
   store double %.191.i194.i.i, ptr %scevgep408.i.i, align 8, !noalias !132
-  %scevgep20.i.i = getelementptr i8, ptr %scevgep7.i186.i.i, i64 %135
+  %scevgep20.i.i = getelementptr i8, ptr %scevgep7.i186.i.i, i64 %136
   %.256.i197.i.i = load double, ptr %scevgep20.i.i, align 8, !noalias !132
-  %.257.i198.i.i = fmul contract double %.223.i.i.i115, %.256.i197.i.i
-  %scevgep19.i.i = getelementptr i8, ptr %scevgep9.i187.i.i, i64 %135
+  %.257.i198.i.i = fmul contract double %.223.i.i.i119, %.256.i197.i.i
+  %scevgep19.i.i = getelementptr i8, ptr %scevgep9.i187.i.i, i64 %136
   store double %.257.i198.i.i, ptr %scevgep19.i.i, align 8, !noalias !132
-  %scevgep14.i.i = getelementptr i8, ptr %scevgep3.i184.i.i, i64 %135
+  %scevgep14.i.i = getelementptr i8, ptr %scevgep3.i184.i.i, i64 %136
   %.324.i201.i.i = load double, ptr %scevgep14.i.i, align 8, !noalias !132
-  %.325.i202.i.i = fmul contract double %.291.i.i.i116, %.324.i201.i.i
-  %scevgep13.i.i = getelementptr i8, ptr %scevgep5.i185.i.i, i64 %135
+  %.325.i202.i.i = fmul contract double %.291.i.i.i120, %.324.i201.i.i
+  %scevgep13.i.i = getelementptr i8, ptr %scevgep5.i185.i.i, i64 %136
   store double %.325.i202.i.i, ptr %scevgep13.i.i, align 8, !noalias !132
-  %scevgep12.i.i = getelementptr i8, ptr %scevgep1.i183.i.i, i64 %135
+  %scevgep12.i.i = getelementptr i8, ptr %scevgep1.i183.i.i, i64 %136
   store double 0.000000e+00, ptr %scevgep12.i.i, align 8, !noalias !132
   %exitcond.not.i205.i.i = icmp eq i64 %.133.i191.i.i, %.570.i.i
   br i1 %exitcond.not.i205.i.i, label %_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE.exit206.i.i, label %B34.if.i189.i.i
@@ -5384,15 +5466,15 @@ _ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v175B86c8tJTIeFIjxB2IKSgI
   br i1 %.2920.i.i, label %B6308.i.i, label %B6388.i.i
 
 B92.if.preheader.i.i.i:                           ; preds = %B6388.i.i
-  %136 = add i64 %.13.i217.i.i, -1
-  %137 = shl i64 %.2728.i.i, 3
-  %138 = getelementptr i8, ptr %.2797.i.i, i64 %137
-  %scevgep.i.i = getelementptr i8, ptr %138, i64 8
+  %137 = add i64 %.13.i217.i.i, -1
+  %138 = shl i64 %.2728.i.i, 3
+  %139 = getelementptr i8, ptr %.2797.i.i, i64 %138
+  %scevgep.i.i = getelementptr i8, ptr %139, i64 8
   br label %B92.if.i.i.i
 
 B146.i.i.i:                                       ; preds = %B92.if.i.i.i
   %.291.i223.i.i = fsub contract double %.281.i.i.i, %.135.i.i.i
-  %.293.i.i.i = fmul contract double %prepared_grid_v309__vphi308_0.2.0.i.i, %.291.i223.i.i
+  %.293.i.i.i = fmul contract double %prepared_grid_v310__vphi308_0.2.0.i.i, %.291.i223.i.i
   %.5.i.i.i.i = fptosi double %.293.i.i.i to i64
   %.13.i5.i.i.i = tail call i64 @llvm.smin.i64(i64 %.2758.i.i, i64 %.5.i.i.i.i)
   %.354.i.i.i = getelementptr inbounds i64, ptr %.2997.i.i, i64 %.13.i5.i.i.i
@@ -5409,24 +5491,24 @@ B284.i.i.i:                                       ; preds = %B146.i.i.i
 
 B324.i.i.i:                                       ; preds = %B284.i.i.i, %B346.i.i.i
   %end.5.2.i.i.i = phi i64 [ %.423.i.i.i, %B346.i.i.i ], [ %.13.i6.i.i.i, %B284.i.i.i ]
-  %exitcond.not.i224.i.i = icmp eq i64 %136, %end.5.2.i.i.i
+  %exitcond.not.i224.i.i = icmp eq i64 %137, %end.5.2.i.i.i
   br i1 %exitcond.not.i224.i.i, label %B386.i.i.i, label %B346.i.i.i
 
 B346.i.i.i:                                       ; preds = %B324.i.i.i
   %.423.i.i.i = add i64 %end.5.2.i.i.i, 1
-  %139 = shl i64 %end.5.2.i.i.i, 3
-  %scevgep401.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %139
+  %140 = shl i64 %end.5.2.i.i.i, 3
+  %scevgep401.i.i = getelementptr i8, ptr %scevgep.i.i, i64 %140
   %.451.i.i.i = load double, ptr %scevgep401.i.i, align 8, !noalias !120
-  %.455.i.i.i132 = fcmp contract ugt double %.451.i.i.i, %.281.i.i.i
-  br i1 %.455.i.i.i132, label %B386.i.i.i, label %B324.i.i.i
+  %.455.i.i.i136 = fcmp contract ugt double %.451.i.i.i, %.281.i.i.i
+  br i1 %.455.i.i.i136, label %B386.i.i.i, label %B324.i.i.i
 
 B386.i.i.i:                                       ; preds = %B346.i.i.i, %B324.i.i.i, %B92.if.i.i.i, %B284.i.i.i, %B146.i.i.i
   %end.4.1.i.i.i = phi i64 [ %.13.i6.i.i.i, %B146.i.i.i ], [ %end.3.0210.i.i.i, %B92.if.i.i.i ], [ %.13.i6.i.i.i, %B284.i.i.i ], [ %.13.i217.i.i, %B324.i.i.i ], [ %.423.i.i.i, %B346.i.i.i ]
   %.13.i.i.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i217.i.i, i64 %end.4.1.i.i.i)
-  %140 = getelementptr i64, ptr %.810.i.i, i64 %.231203208.i.i.i
-  store i64 %.13.i.i.i.i, ptr %140, align 8, !noalias !120
+  %141 = getelementptr i64, ptr %.810.i.i, i64 %.231203208.i.i.i
+  store i64 %.13.i.i.i.i, ptr %141, align 8, !noalias !120
   %exitcond216.not.i.i.i = icmp eq i64 %.238.i.i.i, %..143.i.i.i
-  br i1 %exitcond216.not.i.i.i, label %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v302B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx.exit.i, label %B92.if.i.i.i
+  br i1 %exitcond216.not.i.i.i, label %_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v303B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx.exit.i, label %B92.if.i.i.i
 
 B92.if.i.i.i:                                     ; preds = %B386.i.i.i, %B92.if.preheader.i.i.i
   %end.3.0210.i.i.i = phi i64 [ %end.4.1.i.i.i, %B386.i.i.i ], [ 0, %B92.if.preheader.i.i.i ]
@@ -5440,11 +5522,11 @@ B92.if.i.i.i:                                     ; preds = %B386.i.i.i, %B92.if
   %.287.i.i.i = fcmp contract ult double %.281.i.i.i, %.135.i.i.i
   br i1 %.287.i.i.i, label %B386.i.i.i, label %B146.i.i.i
 
-_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v302B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx.exit.i: ; preds = %B386.i.i.i, %B6388.i.i
+_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v303B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx.exit.i: ; preds = %B386.i.i.i, %B6388.i.i
   %.586.inv.i.i.i = icmp sgt i64 %.527.i.i, 1
   %.587.i.i.i = select i1 %.586.inv.i.i.i, i64 0, i64 %.570.i.i
-  %141 = getelementptr i64, ptr %.810.i.i, i64 %.143.i.i.i
-  %.601.i.i.i = getelementptr i64, ptr %141, i64 %.587.i.i.i
+  %142 = getelementptr i64, ptr %.810.i.i, i64 %.143.i.i.i
+  %.601.i.i.i = getelementptr i64, ptr %142, i64 %.587.i.i.i
   store i64 %.13.i217.i.i, ptr %.601.i.i.i, align 8, !noalias !120
   call void @llvm.lifetime.end.p0(ptr nonnull %.3274.i.i), !noalias !113
   call void @llvm.lifetime.end.p0(ptr nonnull %.3454.i.i), !noalias !113
@@ -5452,7 +5534,7 @@ _ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v302B86c8tJTIeFIjxB2IKSgI
 
 B932.if.i60:                                      ; preds = %B932.loopexit.i, %B932.if.lr.ph.i
   %lsr.iv189.i = phi i64 [ 7, %B932.if.lr.ph.i ], [ %lsr.iv.next190.i, %B932.loopexit.i ]
-  %lsr.iv187.i = phi i64 [ 128, %B932.if.lr.ph.i ], [ %lsr.iv.next.i68, %B932.loopexit.i ]
+  %lsr.iv187.i = phi i64 [ 128, %B932.if.lr.ph.i ], [ %lsr.iv.next.i69, %B932.loopexit.i ]
   %cells.2.sroa.0.02506.i = phi i64 [ 0, %B932.if.lr.ph.i ], [ %cells.3.sroa.0.1.i65, %B932.loopexit.i ]
   %cells.2.sroa.13.02505.i = phi i64 [ 0, %B932.if.lr.ph.i ], [ %cells.3.sroa.12.1.i64, %B932.loopexit.i ]
   %.183724562504.i = phi i64 [ %.1817.i57, %B932.if.lr.ph.i ], [ %.1847.i, %B932.loopexit.i ]
@@ -5463,12 +5545,12 @@ B932.if.i60:                                      ; preds = %B932.loopexit.i, %B
   %.13.i78.i = tail call i64 @llvm.smax.i64(i64 %.184424672503.i, i64 %.1116.i44)
   %.13.i79.i = tail call i64 @llvm.smin.i64(i64 %.13.i.i61, i64 %.13.i78.i)
   %.1985.i62 = icmp sgt i64 %.13.i79.i, %.184424672503.i
-  br i1 %.1985.i62, label %B938.i75, label %B1236.i63
+  br i1 %.1985.i62, label %B938.i79, label %B1236.i63
 
 B48.if.i.i:                                       ; preds = %B48.if.i.i, %B48.if.i.preheader.i
-  %lsr.iv8.i = phi i64 [ %lsr.iv.next9.i, %B48.if.i.i ], [ %72, %B48.if.i.preheader.i ]
-  %lsr.iv.i79 = phi ptr [ %scevgep.i80, %B48.if.i.i ], [ %.2479.i, %B48.if.i.preheader.i ]
-  %.165.i.i = load <8 x double>, ptr %lsr.iv.i79, align 8, !noalias !135
+  %lsr.iv8.i = phi i64 [ %lsr.iv.next9.i, %B48.if.i.i ], [ %73, %B48.if.i.preheader.i ]
+  %lsr.iv.i83 = phi ptr [ %scevgep.i84, %B48.if.i.i ], [ %.2479.i, %B48.if.i.preheader.i ]
+  %.165.i.i = load <8 x double>, ptr %lsr.iv.i83, align 8, !noalias !135
   %.8.i.i.i = fmul contract <8 x double> %.7.i.i.i, %.165.i.i
   %.195.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
   %.8.i191.i.i = fadd contract <8 x double> %.195.i.i, splat (double 0xC338000000000000)
@@ -5496,32 +5578,32 @@ B48.if.i.i:                                       ; preds = %B48.if.i.i, %B48.if
   %.351.i.i = bitcast <8 x double> %.348.i.i to <8 x i64>
   %.6.i194.i.i = xor <8 x i64> %.351.i.i, %.350.i.i
   %.8.i195.i.i = and <8 x i64> %.349.i.i, splat (i64 1)
-  %142 = icmp eq <8 x i64> %.8.i195.i.i, zeroinitializer
-  %.6.i197.i.i = select <8 x i1> %142, <8 x i64> zeroinitializer, <8 x i64> %.6.i194.i.i
+  %143 = icmp eq <8 x i64> %.8.i195.i.i, zeroinitializer
+  %.6.i197.i.i = select <8 x i1> %143, <8 x i64> zeroinitializer, <8 x i64> %.6.i194.i.i
   %.8.i198.i.i = shl <8 x i64> %.349.i.i, splat (i64 62)
   %.8.i199.i.i = and <8 x i64> %.8.i198.i.i, splat (i64 -9223372036854775808)
   %.8.i201.i.i = add <8 x i64> %.8.i198.i.i, splat (i64 4611686018427387904)
   %.8.i202.i.i = and <8 x i64> %.8.i201.i.i, splat (i64 -9223372036854775808)
-  %143 = xor <8 x i64> %.8.i199.i.i, %.350.i.i
-  %.6.i204.i.i = xor <8 x i64> %143, %.6.i197.i.i
-  %144 = bitcast <8 x i64> %.6.i204.i.i to <8 x double>
-  %145 = xor <8 x i64> %.8.i202.i.i, %.351.i.i
-  %.6.i206.i.i = xor <8 x i64> %145, %.6.i197.i.i
-  %146 = bitcast <8 x i64> %.6.i206.i.i to <8 x double>
-  %scevgep186.i = getelementptr i8, ptr %lsr.iv.i79, i64 -1088
+  %144 = xor <8 x i64> %.8.i199.i.i, %.350.i.i
+  %.6.i204.i.i = xor <8 x i64> %144, %.6.i197.i.i
+  %145 = bitcast <8 x i64> %.6.i204.i.i to <8 x double>
+  %146 = xor <8 x i64> %.8.i202.i.i, %.351.i.i
+  %.6.i206.i.i = xor <8 x i64> %146, %.6.i197.i.i
+  %147 = bitcast <8 x i64> %.6.i206.i.i to <8 x double>
+  %scevgep186.i = getelementptr i8, ptr %lsr.iv.i83, i64 -1088
   %.695.i.i = load <8 x double>, ptr %scevgep186.i, align 8, !noalias !135
-  %.6.i207.i.i = fmul contract <8 x double> %.695.i.i, %146
+  %.6.i207.i.i = fmul contract <8 x double> %.695.i.i, %147
   store <8 x double> %.6.i207.i.i, ptr %scevgep186.i, align 8, !noalias !135
-  %.6.i208.i.i = fmul contract <8 x double> %.695.i.i, %144
-  store <8 x double> %.6.i208.i.i, ptr %lsr.iv.i79, align 8, !noalias !135
-  %scevgep.i80 = getelementptr i8, ptr %lsr.iv.i79, i64 64
+  %.6.i208.i.i = fmul contract <8 x double> %.695.i.i, %145
+  store <8 x double> %.6.i208.i.i, ptr %lsr.iv.i83, align 8, !noalias !135
+  %scevgep.i84 = getelementptr i8, ptr %lsr.iv.i83, i64 64
   %lsr.iv.next9.i = add nsw i64 %lsr.iv8.i, -1
   %.117.i.i = icmp sgt i64 %lsr.iv8.i, 7
   br i1 %.117.i.i, label %B48.if.i.i, label %B1236.i63
 
-B1402.if.i:                                       ; preds = %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v431B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i, %B1402.if.preheader.i
-  %lsr.iv195.i = phi i64 [ %lsr.iv.next196.i, %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v431B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i ], [ %67, %B1402.if.preheader.i ]
-  %lsr.iv193.i = phi i64 [ %lsr.iv.next194.i, %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v431B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i ], [ %66, %B1402.if.preheader.i ]
+B1402.if.i:                                       ; preds = %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v432B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i, %B1402.if.preheader.i
+  %lsr.iv195.i = phi i64 [ %lsr.iv.next196.i, %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v432B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i ], [ %68, %B1402.if.preheader.i ]
+  %lsr.iv193.i = phi i64 [ %lsr.iv.next194.i, %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v432B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i ], [ %67, %B1402.if.preheader.i ]
   %.2847.i = load i64, ptr %.393, align 8, !noalias !113
   %.2851.i = inttoptr i64 %.2847.i to ptr
   %scevgep197.i = getelementptr i8, ptr %.2851.i, i64 %lsr.iv195.i
@@ -5546,20 +5628,20 @@ B250.i.i:                                         ; preds = %B1402.if.i
   br label %B294.if.i.i
 
 B34.if.preheader.i.i.i:                           ; preds = %B294.if.i.i
-  br i1 %92, label %B34.if.epil.preheader.i.i.i, label %B34.if.preheader.new.i.i.i
+  br i1 %93, label %B34.if.epil.preheader.i.i.i, label %B34.if.preheader.new.i.i.i
 
 B34.if.preheader.new.i.i.i:                       ; preds = %B34.if.preheader.i.i.i
-  %147 = inttoptr i64 %.1393.i.i to ptr
-  %scevgep.i.i10.i = getelementptr i8, ptr %147, i64 24
-  br i1 %93, label %B34.if.i.epil.preheader.i.i, label %B34.if.i.preheader.i.i
+  %148 = inttoptr i64 %.1393.i.i to ptr
+  %scevgep.i.i10.i = getelementptr i8, ptr %148, i64 24
+  br i1 %94, label %B34.if.i.epil.preheader.i.i, label %B34.if.i.preheader.i.i
 
 B34.if.i.preheader.i.i:                           ; preds = %B34.if.preheader.new.i.i.i
-  %scevgep.i11.i = getelementptr i8, ptr %147, i64 56
+  %scevgep.i11.i = getelementptr i8, ptr %148, i64 56
   br label %B34.if.i.i12.i
 
 B102.loopexit.unr-lcssa.i.unr-lcssa.i.i:          ; preds = %B34.if.i.i12.i
   %scevgep23.i15.i = getelementptr i8, ptr %lsr.iv.i13.i, i64 32
-  br i1 %95, label %B34.if.i.epil.preheader.i.i, label %B102.loopexit.unr-lcssa.i.i.i
+  br i1 %96, label %B34.if.i.epil.preheader.i.i, label %B102.loopexit.unr-lcssa.i.i.i
 
 B34.if.i.epil.preheader.i.i:                      ; preds = %B102.loopexit.unr-lcssa.i.unr-lcssa.i.i, %B34.if.preheader.new.i.i.i
   %lsr.iv.i.epil.init.i.i = phi ptr [ %scevgep.i.i10.i, %B34.if.preheader.new.i.i.i ], [ %scevgep23.i15.i, %B102.loopexit.unr-lcssa.i.unr-lcssa.i.i ]
@@ -5585,24 +5667,24 @@ B34.if.i.epil.preheader.i.i:                      ; preds = %B102.loopexit.unr-l
 
 B102.loopexit.unr-lcssa.i.i.i:                    ; preds = %B34.if.i.epil.preheader.i.i, %B102.loopexit.unr-lcssa.i.unr-lcssa.i.i
   %.141.1.i.lcssa.i.i = phi i64 [ %.141.1.i.epil.i.i, %B34.if.i.epil.preheader.i.i ], [ %.141.1.i.1.i.i, %B102.loopexit.unr-lcssa.i.unr-lcssa.i.i ]
-  br i1 %97, label %B1338.i.i, label %B34.if.epil.preheader.i.i.i
+  br i1 %98, label %B1338.i.i, label %B34.if.epil.preheader.i.i.i
 
 B34.if.epil.preheader.i.i.i:                      ; preds = %B102.loopexit.unr-lcssa.i.i.i, %B34.if.preheader.i.i.i
   %.134108110.epil.init.i.i.i = phi i64 [ 0, %B34.if.preheader.i.i.i ], [ %.141.1.i.lcssa.i.i, %B102.loopexit.unr-lcssa.i.i.i ]
-  %148 = inttoptr i64 %.1393.i.i to ptr
+  %149 = inttoptr i64 %.1393.i.i to ptr
   %.idx.epil.i.i.i = shl i64 %.134108110.epil.init.i.i.i, 4
-  %149 = getelementptr i8, ptr %148, i64 %.idx.epil.i.i.i
-  %.196.epil.i.i.i = load double, ptr %149, align 8, !noalias !141
-  %150 = getelementptr double, ptr %.2957.i.i, i64 %.134108110.epil.init.i.i.i
-  store double %.196.epil.i.i.i, ptr %150, align 8, !noalias !141
-  %151 = getelementptr i8, ptr %149, i64 8
-  %.258.epil.i.i.i = load double, ptr %151, align 8, !noalias !141
-  %152 = getelementptr double, ptr %.3046.i.i, i64 %.134108110.epil.init.i.i.i
-  store double %.258.epil.i.i.i, ptr %152, align 8, !noalias !141
+  %150 = getelementptr i8, ptr %149, i64 %.idx.epil.i.i.i
+  %.196.epil.i.i.i = load double, ptr %150, align 8, !noalias !141
+  %151 = getelementptr double, ptr %.2957.i.i, i64 %.134108110.epil.init.i.i.i
+  store double %.196.epil.i.i.i, ptr %151, align 8, !noalias !141
+  %152 = getelementptr i8, ptr %150, i64 8
+  %.258.epil.i.i.i = load double, ptr %152, align 8, !noalias !141
+  %153 = getelementptr double, ptr %.3046.i.i, i64 %.134108110.epil.init.i.i.i
+  store double %.258.epil.i.i.i, ptr %153, align 8, !noalias !141
   br label %B1338.i.i
 
 B34.if.i.i12.i:                                   ; preds = %B34.if.i.i12.i, %B34.if.i.preheader.i.i
-  %lsr.iv21.i.i = phi i64 [ %lsr.iv.next22.i.i, %B34.if.i.i12.i ], [ %90, %B34.if.i.preheader.i.i ]
+  %lsr.iv21.i.i = phi i64 [ %lsr.iv.next22.i.i, %B34.if.i.i12.i ], [ %91, %B34.if.i.preheader.i.i ]
   %lsr.iv.i13.i = phi ptr [ %scevgep462.i14.i, %B34.if.i.i12.i ], [ %scevgep.i11.i, %B34.if.i.preheader.i.i ]
   %.134108110.i.i.i = phi i64 [ %.141.1.i.1.i.i, %B34.if.i.i12.i ], [ 0, %B34.if.i.preheader.i.i ]
   %scevgep467.i.i = getelementptr i8, ptr %lsr.iv.i13.i, i64 -32
@@ -5647,22 +5729,22 @@ B34.if.i.i12.i:                                   ; preds = %B34.if.i.i12.i, %B3
   br i1 %niter458.ncmp.1.i.i, label %B102.loopexit.unr-lcssa.i.unr-lcssa.i.i, label %B34.if.i.i12.i
 
 B1338.i.i:                                        ; preds = %B294.if.i.i, %B34.if.epil.preheader.i.i.i, %B102.loopexit.unr-lcssa.i.i.i
-  %153 = inttoptr i64 %.1245.i.i to ptr
+  %154 = inttoptr i64 %.1245.i.i to ptr
   %.idx3968.i.i = mul nuw nsw i64 %.106040394047.i.i, 1088
-  %154 = getelementptr i8, ptr %arg.state.15.4, i64 %.idx3968.i.i
-  %.1852.i.i = getelementptr i8, ptr %154, i64 9792
-  %.1946.i.i = getelementptr i8, ptr %154, i64 16320
-  br i1 %.1026.i.i.i, label %B20.i.i.i, label %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %155 = getelementptr i8, ptr %arg.state.15.4, i64 %.idx3968.i.i
+  %.1852.i.i = getelementptr i8, ptr %155, i64 9792
+  %.1946.i.i = getelementptr i8, ptr %155, i64 16320
+  br i1 %.1026.i.i.i, label %B20.i.i.i, label %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
 B20.i.i.i:                                        ; preds = %B1338.i.i, %B16194.i.i.i
   %j.2.0.i.i.i = phi i64 [ %.704.i.i.i, %B16194.i.i.i ], [ 0, %B1338.i.i ]
-  %.110.i.i.i71 = sub nsw i64 %.2143.i.i, %j.2.0.i.i.i
-  %.13.i.i5.i.i = tail call i64 @llvm.smin.i64(i64 %.110.i.i.i71, i64 8)
-  %.150.i.i.i = icmp slt i64 %j.2.0.i.i.i, %_carrier_v457__places_v462__vphi458_2.2.1.i.i
-  %.13.i17.i.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 -1, 4) %_carrier_v457__places_v462__vphi458_2.2.1.i.i, i64 %.13.i.i5.i.i)
+  %.110.i.i.i77 = sub nsw i64 %.2143.i.i, %j.2.0.i.i.i
+  %.13.i.i5.i.i = tail call i64 @llvm.smin.i64(i64 %.110.i.i.i77, i64 8)
+  %.150.i.i.i = icmp slt i64 %j.2.0.i.i.i, %_carrier_v458__places_v463__vphi458_2.2.1.i.i
+  %.13.i17.i.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 -1, 4) %_carrier_v458__places_v463__vphi458_2.2.1.i.i, i64 %.13.i.i5.i.i)
   %size.2.1.i.i.i = select i1 %.150.i.i.i, i64 %.13.i17.i.i.i, i64 %.13.i.i5.i.i
-  %.201.i.i.i72 = getelementptr inbounds double, ptr %.2957.i.i, i64 %j.2.0.i.i.i
-  %.203.i.i.i = load <8 x double>, ptr %.201.i.i.i72, align 8, !noalias !144
+  %.201.i.i.i78 = getelementptr inbounds double, ptr %.2957.i.i, i64 %j.2.0.i.i.i
+  %.203.i.i.i = load <8 x double>, ptr %.201.i.i.i78, align 8, !noalias !144
   %.219.i.i.i = getelementptr inbounds double, ptr %.3046.i.i, i64 %j.2.0.i.i.i
   %.221.i.i.i = load <8 x double>, ptr %.219.i.i.i, align 8, !noalias !144
   %.233.i.i.i = getelementptr inbounds double, ptr %.1852.i.i, i64 %j.2.0.i.i.i
@@ -5686,23 +5768,23 @@ B448.i.i.i:                                       ; preds = %B20.i.i.i
 
 B452.if.lr.ph.i.i.i:                              ; preds = %B448.i.i.i
   %.586.i.i20.i = shl nsw i64 %j.2.0.i.i.i, 1
-  %155 = shl i64 %j.2.0.i.i.i, 4
-  %scevgep24.i.i.i73 = getelementptr i8, ptr %153, i64 %155
+  %156 = shl i64 %j.2.0.i.i.i, 4
+  %scevgep24.i.i.i = getelementptr i8, ptr %154, i64 %156
   %.584.i.i.i = load double, ptr %arg.state.12.4, align 8, !noalias !144
   %.601.i.i21.i = icmp slt i64 %j.2.0.i.i.i, 0
-  %156 = select i1 %.601.i.i21.i, i64 %.4062.i.i, i64 0
-  %scevgep28.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i73, i64 %156
+  %157 = select i1 %.601.i.i21.i, i64 %.4062.i.i, i64 0
+  %scevgep28.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i, i64 %157
   store double %.584.i.i.i, ptr %scevgep28.i.i.i, align 8, !noalias !144
   %.584.1.i.i.i = load double, ptr %sunkaddr1.i7.i.i, align 8, !noalias !144
-  %scevgep27.i.i.i74 = getelementptr i8, ptr %scevgep28.i.i.i, i64 8
-  store double %.584.1.i.i.i, ptr %scevgep27.i.i.i74, align 8, !noalias !144
+  %scevgep27.i.i.i = getelementptr i8, ptr %scevgep28.i.i.i, i64 8
+  store double %.584.1.i.i.i, ptr %scevgep27.i.i.i, align 8, !noalias !144
   %exitcond.not.1.i.i.i = icmp eq i64 %size.2.1.i.i.i, 1
   br i1 %exitcond.not.1.i.i.i, label %B16194.i.i.i, label %B452.if.1.i.i.i
 
 B16140.i.i.i:                                     ; preds = %B20.i.i.i
   %.659.idx.i.i.i = shl i64 %j.2.0.i.i.i, 4
   %.660.i.i.i = shufflevector <8 x double> %.346.i.i.i, <8 x double> %.372.i.i.i, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  %sunkaddr2.i.i.i = getelementptr i8, ptr %153, i64 %.659.idx.i.i.i
+  %sunkaddr2.i.i.i = getelementptr i8, ptr %154, i64 %.659.idx.i.i.i
   br i1 %or.cond.i.i, label %B16178.i.i.i, label %B16182.i.i.i
 
 B16178.i.i.i:                                     ; preds = %B16140.i.i.i
@@ -5716,14 +5798,14 @@ B16182.i.i.i:                                     ; preds = %B16140.i.i.i
 B16194.i.i.i:                                     ; preds = %B452.if.6.i.i.i, %B452.if.5.i.i.i, %B452.if.4.i.i.i, %B452.if.3.i.i.i, %B452.if.2.i.i.i, %B452.if.1.i.i.i, %B16182.i.i.i, %B16178.i.i.i, %B452.if.lr.ph.i.i.i, %B448.i.i.i
   %.704.i.i.i = add nsw i64 %size.2.1.i.i.i, %j.2.0.i.i.i
   %.710.i.i.i = icmp slt i64 %.704.i.i.i, %.2143.i.i
-  br i1 %.710.i.i.i, label %B20.i.i.i, label %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br i1 %.710.i.i.i, label %B20.i.i.i, label %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
 B452.if.1.i.i.i:                                  ; preds = %B452.if.lr.ph.i.i.i
   %.584.11.i.i.i = load double, ptr %sunkaddr4.i8.i.i, align 8, !noalias !144
-  %157 = add i64 %.586.i.i20.i, 2
-  %.601.1.i.i.i = icmp slt i64 %157, 0
-  %158 = select i1 %.601.1.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep28.1.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i73, i64 %158
+  %158 = add i64 %.586.i.i20.i, 2
+  %.601.1.i.i.i = icmp slt i64 %158, 0
+  %159 = select i1 %.601.1.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep28.1.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i, i64 %159
   %scevgep29.1.i.i.i = getelementptr i8, ptr %scevgep28.1.i.i.i, i64 16
   store double %.584.11.i.i.i, ptr %scevgep29.1.i.i.i, align 8, !noalias !144
   %.584.1.1.i.i.i = load double, ptr %sunkaddr5.i9.i.i, align 8, !noalias !144
@@ -5734,10 +5816,10 @@ B452.if.1.i.i.i:                                  ; preds = %B452.if.lr.ph.i.i.i
 
 B452.if.2.i.i.i:                                  ; preds = %B452.if.1.i.i.i
   %.584.2.i.i.i = load double, ptr %sunkaddr6.i10.i.i, align 8, !noalias !144
-  %159 = add i64 %.586.i.i20.i, 4
-  %.601.2.i.i.i = icmp slt i64 %159, 0
-  %160 = select i1 %.601.2.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep28.2.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i73, i64 %160
+  %160 = add i64 %.586.i.i20.i, 4
+  %.601.2.i.i.i = icmp slt i64 %160, 0
+  %161 = select i1 %.601.2.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep28.2.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i, i64 %161
   %scevgep29.2.i.i.i = getelementptr i8, ptr %scevgep28.2.i.i.i, i64 32
   store double %.584.2.i.i.i, ptr %scevgep29.2.i.i.i, align 8, !noalias !144
   %.584.1.2.i.i.i = load double, ptr %sunkaddr7.i11.i.i, align 8, !noalias !144
@@ -5748,10 +5830,10 @@ B452.if.2.i.i.i:                                  ; preds = %B452.if.1.i.i.i
 
 B452.if.3.i.i.i:                                  ; preds = %B452.if.2.i.i.i
   %.584.3.i.i.i = load double, ptr %sunkaddr8.i12.i.i, align 8, !noalias !144
-  %161 = add i64 %.586.i.i20.i, 6
-  %.601.3.i.i.i = icmp slt i64 %161, 0
-  %162 = select i1 %.601.3.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep28.3.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i73, i64 %162
+  %162 = add i64 %.586.i.i20.i, 6
+  %.601.3.i.i.i = icmp slt i64 %162, 0
+  %163 = select i1 %.601.3.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep28.3.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i, i64 %163
   %scevgep29.3.i.i.i = getelementptr i8, ptr %scevgep28.3.i.i.i, i64 48
   store double %.584.3.i.i.i, ptr %scevgep29.3.i.i.i, align 8, !noalias !144
   %.584.1.3.i.i.i = load double, ptr %sunkaddr.i13.i.i, align 8, !noalias !144
@@ -5762,10 +5844,10 @@ B452.if.3.i.i.i:                                  ; preds = %B452.if.2.i.i.i
 
 B452.if.4.i.i.i:                                  ; preds = %B452.if.3.i.i.i
   %.584.4.i.i.i = load double, ptr %sunkaddr9.i14.i.i, align 8, !noalias !144
-  %163 = add i64 %.586.i.i20.i, 8
-  %.601.4.i.i.i = icmp slt i64 %163, 0
-  %164 = select i1 %.601.4.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep28.4.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i73, i64 %164
+  %164 = add i64 %.586.i.i20.i, 8
+  %.601.4.i.i.i = icmp slt i64 %164, 0
+  %165 = select i1 %.601.4.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep28.4.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i, i64 %165
   %scevgep29.4.i.i.i = getelementptr i8, ptr %scevgep28.4.i.i.i, i64 64
   store double %.584.4.i.i.i, ptr %scevgep29.4.i.i.i, align 8, !noalias !144
   %.584.1.4.i.i.i = load double, ptr %sunkaddr10.i15.i.i, align 8, !noalias !144
@@ -5776,10 +5858,10 @@ B452.if.4.i.i.i:                                  ; preds = %B452.if.3.i.i.i
 
 B452.if.5.i.i.i:                                  ; preds = %B452.if.4.i.i.i
   %.584.5.i.i.i = load double, ptr %sunkaddr11.i16.i.i, align 8, !noalias !144
-  %165 = add i64 %.586.i.i20.i, 10
-  %.601.5.i.i.i = icmp slt i64 %165, 0
-  %166 = select i1 %.601.5.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep28.5.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i73, i64 %166
+  %166 = add i64 %.586.i.i20.i, 10
+  %.601.5.i.i.i = icmp slt i64 %166, 0
+  %167 = select i1 %.601.5.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep28.5.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i, i64 %167
   %scevgep29.5.i.i.i = getelementptr i8, ptr %scevgep28.5.i.i.i, i64 80
   store double %.584.5.i.i.i, ptr %scevgep29.5.i.i.i, align 8, !noalias !144
   %.584.1.5.i.i.i = load double, ptr %sunkaddr12.i17.i.i, align 8, !noalias !144
@@ -5790,10 +5872,10 @@ B452.if.5.i.i.i:                                  ; preds = %B452.if.4.i.i.i
 
 B452.if.6.i.i.i:                                  ; preds = %B452.if.5.i.i.i
   %.584.6.i.i.i = load double, ptr %sunkaddr13.i18.i.i, align 8, !noalias !144
-  %167 = add i64 %.586.i.i20.i, 12
-  %.601.6.i.i.i = icmp slt i64 %167, 0
-  %168 = select i1 %.601.6.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep28.6.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i73, i64 %168
+  %168 = add i64 %.586.i.i20.i, 12
+  %.601.6.i.i.i = icmp slt i64 %168, 0
+  %169 = select i1 %.601.6.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep28.6.i.i.i = getelementptr i8, ptr %scevgep24.i.i.i, i64 %169
   %scevgep29.6.i.i.i = getelementptr i8, ptr %scevgep28.6.i.i.i, i64 96
   store double %.584.6.i.i.i, ptr %scevgep29.6.i.i.i, align 8, !noalias !144
   %.584.1.6.i.i.i = load double, ptr %sunkaddr14.i19.i.i, align 8, !noalias !144
@@ -5801,8 +5883,8 @@ B452.if.6.i.i.i:                                  ; preds = %B452.if.5.i.i.i
   store double %.584.1.6.i.i.i, ptr %scevgep27.6.i.i.i, align 8, !noalias !144
   br label %B16194.i.i.i
 
-_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B16194.i.i.i, %B1338.i.i
-  br i1 %91, label %B1338.endif.endif.endif.endif.i.i, label %B48.if.preheader.i.i.i
+_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B16194.i.i.i, %B1338.i.i
+  br i1 %92, label %B1338.endif.endif.endif.endif.i.i, label %B48.if.preheader.i.i.i
 
 B1596.i.i:                                        ; preds = %B1402.if.i
   %.2192.i.i = getelementptr i8, ptr %.2851.i, i64 16
@@ -5816,25 +5898,25 @@ B1596.i.i:                                        ; preds = %B1402.if.i
   %.2432.i.i = inttoptr i64 %.2430.i.i to ptr
   %.2861.i.i = load i64, ptr %.386.i20, align 8, !noalias !138
   %.idx.i1.i = shl i64 %.2861.i.i, 4
-  %169 = getelementptr i8, ptr %.2432.i.i, i64 %.idx.i1.i
-  %.2880.i.i = getelementptr double, ptr %169, i64 %.184424672503.i
+  %170 = getelementptr i8, ptr %.2432.i.i, i64 %.idx.i1.i
+  %.2880.i.i = getelementptr double, ptr %170, i64 %.184424672503.i
   br i1 %.637334.not.i.i.i, label %B456.i.i.i, label %B172.if.lr.ph.i.i.i
 
 B34.if.preheader.i70.i.i:                         ; preds = %B16713.if.i.i
-  br i1 %92, label %B34.if.epil.preheader.i94.i.i, label %B34.if.preheader.new.i71.i.i
+  br i1 %93, label %B34.if.epil.preheader.i94.i.i, label %B34.if.preheader.new.i71.i.i
 
 B34.if.preheader.new.i71.i.i:                     ; preds = %B34.if.preheader.i70.i.i
-  %170 = inttoptr i64 %.4060.i.i to ptr
-  %scevgep.i73.i.i = getelementptr i8, ptr %170, i64 24
-  br i1 %93, label %B34.if.i74.epil.preheader.i.i, label %B34.if.i74.preheader.i.i
+  %171 = inttoptr i64 %.4060.i.i to ptr
+  %scevgep.i73.i.i = getelementptr i8, ptr %171, i64 24
+  br i1 %94, label %B34.if.i74.epil.preheader.i.i, label %B34.if.i74.preheader.i.i
 
 B34.if.i74.preheader.i.i:                         ; preds = %B34.if.preheader.new.i71.i.i
-  %scevgep498.i.i = getelementptr i8, ptr %170, i64 56
+  %scevgep498.i.i = getelementptr i8, ptr %171, i64 56
   br label %B34.if.i74.i.i
 
 B102.loopexit.unr-lcssa.i92.unr-lcssa.i.i:        ; preds = %B34.if.i74.i.i
   %scevgep43.i4.i = getelementptr i8, ptr %lsr.iv499.i.i, i64 32
-  br i1 %95, label %B34.if.i74.epil.preheader.i.i, label %B102.loopexit.unr-lcssa.i92.i.i
+  br i1 %96, label %B34.if.i74.epil.preheader.i.i, label %B102.loopexit.unr-lcssa.i92.i.i
 
 B34.if.i74.epil.preheader.i.i:                    ; preds = %B102.loopexit.unr-lcssa.i92.unr-lcssa.i.i, %B34.if.preheader.new.i71.i.i
   %lsr.iv.i75.epil.init.i.i = phi ptr [ %scevgep.i73.i.i, %B34.if.preheader.new.i71.i.i ], [ %scevgep43.i4.i, %B102.loopexit.unr-lcssa.i92.unr-lcssa.i.i ]
@@ -5860,24 +5942,24 @@ B34.if.i74.epil.preheader.i.i:                    ; preds = %B102.loopexit.unr-l
 
 B102.loopexit.unr-lcssa.i92.i.i:                  ; preds = %B34.if.i74.epil.preheader.i.i, %B102.loopexit.unr-lcssa.i92.unr-lcssa.i.i
   %.141.1.i84.lcssa.i.i = phi i64 [ %.141.1.i84.epil.i.i, %B34.if.i74.epil.preheader.i.i ], [ %.141.1.i84.1.i.i, %B102.loopexit.unr-lcssa.i92.unr-lcssa.i.i ]
-  br i1 %97, label %B17881.i.i, label %B34.if.epil.preheader.i94.i.i
+  br i1 %98, label %B17881.i.i, label %B34.if.epil.preheader.i94.i.i
 
 B34.if.epil.preheader.i94.i.i:                    ; preds = %B102.loopexit.unr-lcssa.i92.i.i, %B34.if.preheader.i70.i.i
   %.134108110.epil.init.i95.i.i = phi i64 [ 0, %B34.if.preheader.i70.i.i ], [ %.141.1.i84.lcssa.i.i, %B102.loopexit.unr-lcssa.i92.i.i ]
-  %171 = inttoptr i64 %.4060.i.i to ptr
+  %172 = inttoptr i64 %.4060.i.i to ptr
   %.idx.epil.i96.i.i = shl i64 %.134108110.epil.init.i95.i.i, 4
-  %172 = getelementptr i8, ptr %171, i64 %.idx.epil.i96.i.i
-  %.196.epil.i97.i.i = load double, ptr %172, align 8, !noalias !148
-  %173 = getelementptr double, ptr %.2957.i.i, i64 %.134108110.epil.init.i95.i.i
-  store double %.196.epil.i97.i.i, ptr %173, align 8, !noalias !148
-  %174 = getelementptr i8, ptr %172, i64 8
-  %.258.epil.i98.i.i = load double, ptr %174, align 8, !noalias !148
-  %175 = getelementptr double, ptr %.3046.i.i, i64 %.134108110.epil.init.i95.i.i
-  store double %.258.epil.i98.i.i, ptr %175, align 8, !noalias !148
+  %173 = getelementptr i8, ptr %172, i64 %.idx.epil.i96.i.i
+  %.196.epil.i97.i.i = load double, ptr %173, align 8, !noalias !148
+  %174 = getelementptr double, ptr %.2957.i.i, i64 %.134108110.epil.init.i95.i.i
+  store double %.196.epil.i97.i.i, ptr %174, align 8, !noalias !148
+  %175 = getelementptr i8, ptr %173, i64 8
+  %.258.epil.i98.i.i = load double, ptr %175, align 8, !noalias !148
+  %176 = getelementptr double, ptr %.3046.i.i, i64 %.134108110.epil.init.i95.i.i
+  store double %.258.epil.i98.i.i, ptr %176, align 8, !noalias !148
   br label %B17881.i.i
 
 B34.if.i74.i.i:                                   ; preds = %B34.if.i74.i.i, %B34.if.i74.preheader.i.i
-  %lsr.iv41.i.i = phi i64 [ %lsr.iv.next42.i.i, %B34.if.i74.i.i ], [ %90, %B34.if.i74.preheader.i.i ]
+  %lsr.iv41.i.i = phi i64 [ %lsr.iv.next42.i.i, %B34.if.i74.i.i ], [ %91, %B34.if.i74.preheader.i.i ]
   %lsr.iv499.i.i = phi ptr [ %scevgep500.i.i, %B34.if.i74.i.i ], [ %scevgep498.i.i, %B34.if.i74.preheader.i.i ]
   %.134108110.i76.i.i = phi i64 [ %.141.1.i84.1.i.i, %B34.if.i74.i.i ], [ 0, %B34.if.i74.preheader.i.i ]
   %scevgep505.i.i = getelementptr i8, ptr %lsr.iv499.i.i, i64 -32
@@ -5946,31 +6028,31 @@ B17881.i.i:                                       ; preds = %B16713.if.i.i, %B34
 
 B156.i.i.i:                                       ; preds = %B17881.i.i
   %.idx.i.i.i67 = mul i64 %.669.i.i5.i, 48
-  %176 = getelementptr i8, ptr %arg.state.4.4, i64 %.idx.i.i.i67
+  %177 = getelementptr i8, ptr %arg.state.4.4, i64 %.idx.i.i.i67
   %.13.i.i.i6.i = tail call i64 @llvm.smin.i64(i64 %.3734.i.i, i64 5)
-  %177 = shl nuw nsw i64 %.13.i.i.i6.i, 5
-  %.1313.i.i.i = add i64 %177, %59
+  %178 = shl nuw nsw i64 %.13.i.i.i6.i, 5
+  %.1313.i.i.i = add i64 %178, %60
   %.1314.i.i.i = mul nsw i64 %.1313.i.i.i, %.572.i.i.i66
-  %.1397.i.i.i = getelementptr double, ptr %176, i64 %.1314.i.i.i
+  %.1397.i.i.i = getelementptr double, ptr %177, i64 %.1314.i.i.i
   %.1527.i.i.i = load double, ptr %.1397.i.i.i, align 8, !noalias !151
   %.1529.i.i.i = shl nsw i64 %.572.i.i.i66, 1
   %.1543.i.i.i = icmp slt i64 %.572.i.i.i66, 0
   %.1544.i.i.i = select i1 %.1543.i.i.i, i64 %.1384.i.i.i, i64 0
-  %178 = getelementptr double, ptr %.1397.i.i.i, i64 %.1529.i.i.i
-  %.1558.i.i.i = getelementptr double, ptr %178, i64 %.1544.i.i.i
+  %179 = getelementptr double, ptr %.1397.i.i.i, i64 %.1529.i.i.i
+  %.1558.i.i.i = getelementptr double, ptr %179, i64 %.1544.i.i.i
   %.1559.i.i.i = load double, ptr %.1558.i.i.i, align 8, !noalias !151
   %.1575.inv.i.i.i = icmp sgt i64 %.529.i.i.i, 0
   %.1576.i.i.i = select i1 %.1575.inv.i.i.i, i64 0, i64 %.1384.i.i.i
-  %179 = getelementptr double, ptr %.1397.i.i.i, i64 %.529.i.i.i
-  %180 = getelementptr i8, ptr %179, i64 -8
-  %.1590.i.i.i = getelementptr double, ptr %180, i64 %.1576.i.i.i
+  %180 = getelementptr double, ptr %.1397.i.i.i, i64 %.529.i.i.i
+  %181 = getelementptr i8, ptr %180, i64 -8
+  %.1590.i.i.i = getelementptr double, ptr %181, i64 %.1576.i.i.i
   %.1591.i.i.i = load double, ptr %.1590.i.i.i, align 8, !noalias !151
   %.1595.i.i.i = add nsw i64 %.1529.i.i.i, %.529.i.i.i
   %.1612.inv.i.i.i = icmp sgt i64 %.1595.i.i.i, 0
   %.1613.i.i.i = select i1 %.1612.inv.i.i.i, i64 0, i64 %.1384.i.i.i
-  %181 = getelementptr double, ptr %.1397.i.i.i, i64 %.1595.i.i.i
-  %182 = getelementptr i8, ptr %181, i64 -8
-  %.1627.i.i.i = getelementptr double, ptr %182, i64 %.1613.i.i.i
+  %182 = getelementptr double, ptr %.1397.i.i.i, i64 %.1595.i.i.i
+  %183 = getelementptr i8, ptr %182, i64 -8
+  %.1627.i.i.i = getelementptr double, ptr %183, i64 %.1613.i.i.i
   %.1628.i.i.i = load double, ptr %.1627.i.i.i, align 8, !noalias !151
   br label %B246.i.i.i
 
@@ -5997,8 +6079,8 @@ B246.i.i.i:                                       ; preds = %B156.i.i.i, %B17881
   %.13.i2.i.i.i.i = tail call i64 @llvm.smax.i64(i64 %.184424672503.i, i64 %.263.i.i.i.i)
   %.13.i3.i.i.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i79.i, i64 %.13.i2.i.i.i.i)
   %.330.i.i.i.i = sub nsw i64 %.13.i1.i.i.i.i, %.184424672503.i
-  %183 = add i64 %.330.i.i.i.i, 7
-  %.389.i.i.i.i = lshr i64 %183, 3
+  %184 = add i64 %.330.i.i.i.i, 7
+  %.389.i.i.i.i = lshr i64 %184, 3
   %.368.inv.i.i.i.i = icmp slt i64 %.330.i.i.i.i, 1
   %.410442.not453.i.i.i.i = icmp eq i64 %.389.i.i.i.i, 0
   %.410442.not.i.i.i.i = or i1 %.368.inv.i.i.i.i, %.410442.not453.i.i.i.i
@@ -6009,8 +6091,8 @@ B17881.endif.thread.i.i:                          ; preds = %B35378.endif.endif.
   br label %B35093.i.i
 
 B348.loopexit.unr-lcssa.i.i.unr-lcssa.i.i:        ; preds = %B198.if.i.i.i.i
-  %184 = and i64 %189, 4
-  %lcmp.mod.not.not.i.i = icmp eq i64 %184, 0
+  %185 = and i64 %190, 4
+  %lcmp.mod.not.not.i.i = icmp eq i64 %185, 0
   br i1 %lcmp.mod.not.not.i.i, label %B198.if.i.i.epil.preheader.i.i, label %B348.loopexit.unr-lcssa.i.i.i.i
 
 B198.if.i.i.epil.preheader.i.i:                   ; preds = %B198.if.lr.ph.new.i.i.i.i, %B348.loopexit.unr-lcssa.i.i.unr-lcssa.i.i
@@ -6045,9 +6127,9 @@ B348.loopexit.unr-lcssa.i.i.i.i:                  ; preds = %B198.if.i.i.epil.pr
 
 B198.if.epil.preheader.i.i.i.i:                   ; preds = %B198.if.lr.ph.i.i.i.i, %B348.loopexit.unr-lcssa.i.i.i.i
   %.416441443.epil.init.i.i.i.i = phi i64 [ 0, %B198.if.lr.ph.i.i.i.i ], [ %.423.3.i.i.lcssa.i.i, %B348.loopexit.unr-lcssa.i.i.i.i ]
-  %185 = shl i64 %.416441443.epil.init.i.i.i.i, 3
-  %scevgep51.i.i.i.i = getelementptr i8, ptr %.3251.i.i, i64 %185
-  %186 = shl nuw nsw i64 %xtraiter.i.i.i.i, 6
+  %186 = shl i64 %.416441443.epil.init.i.i.i.i, 3
+  %scevgep51.i.i.i.i = getelementptr i8, ptr %.3251.i.i, i64 %186
+  %187 = shl nuw nsw i64 %xtraiter.i.i.i.i, 6
   br label %B198.if.epil.i.i.i.i
 
 B198.if.epil.i.i.i.i:                             ; preds = %B198.if.epil.i.i.i.i, %B198.if.epil.preheader.i.i.i.i
@@ -6057,7 +6139,7 @@ B198.if.epil.i.i.i.i:                             ; preds = %B198.if.epil.i.i.i.
   store <8 x double> %.451.i.i.i.i, ptr %scevgep219.i.i.i, align 8, !noalias !154
   store <8 x double> %.465.i.i.i.i, ptr %scevgep218.i.i.i, align 8, !noalias !154
   %lsr.iv.next53.i.i.i.i = add nuw nsw i64 %lsr.iv52.i.i.i.i, 64
-  %epil.iter.cmp.not.i.i.i.i = icmp eq i64 %186, %lsr.iv.next53.i.i.i.i
+  %epil.iter.cmp.not.i.i.i.i = icmp eq i64 %187, %lsr.iv.next53.i.i.i.i
   br i1 %epil.iter.cmp.not.i.i.i.i, label %B348.i.i.i.i, label %B198.if.epil.i.i.i.i, !llvm.loop !157
 
 B348.i.i.i.i:                                     ; preds = %B198.if.epil.i.i.i.i, %B348.loopexit.unr-lcssa.i.i.i.i, %B246.i.i.i
@@ -6071,24 +6153,24 @@ B198.if.lr.ph.i.i.i.i:                            ; preds = %B246.i.i.i
   %.451.i.i.i.i = shufflevector <8 x double> %.450.i.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.464.i.i.i.i = insertelement <8 x double> poison, double %edges.2.sroa.8.0.i.i.i, i64 0
   %.465.i.i.i.i = shufflevector <8 x double> %.464.i.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %187 = add nsw i64 %.389.i.i.i.i, -1
+  %188 = add nsw i64 %.389.i.i.i.i, -1
   %xtraiter.i.i.i.i = and i64 %.389.i.i.i.i, 3
-  %188 = icmp ult i64 %187, 3
-  br i1 %188, label %B198.if.epil.preheader.i.i.i.i, label %B198.if.lr.ph.new.i.i.i.i
+  %189 = icmp ult i64 %188, 3
+  br i1 %189, label %B198.if.epil.preheader.i.i.i.i, label %B198.if.lr.ph.new.i.i.i.i
 
 B198.if.lr.ph.new.i.i.i.i:                        ; preds = %B198.if.lr.ph.i.i.i.i
-  %189 = add nsw i64 %.389.i.i.i.i, -4
-  %190 = lshr i64 %189, 2
-  %191 = icmp eq i64 %190, 0
-  br i1 %191, label %B198.if.i.i.epil.preheader.i.i, label %B198.if.lr.ph.new.i.i.new.i.i
+  %190 = add nsw i64 %.389.i.i.i.i, -4
+  %191 = lshr i64 %190, 2
+  %192 = icmp eq i64 %191, 0
+  br i1 %192, label %B198.if.i.i.epil.preheader.i.i, label %B198.if.lr.ph.new.i.i.new.i.i
 
 B198.if.lr.ph.new.i.i.new.i.i:                    ; preds = %B198.if.lr.ph.new.i.i.i.i
-  %192 = add nuw nsw i64 %190, 1
-  %193 = and i64 %192, 9223372036854775806
+  %193 = add nuw nsw i64 %191, 1
+  %194 = and i64 %193, 9223372036854775806
   br label %B198.if.i.i.i.i
 
 B198.if.i.i.i.i:                                  ; preds = %B198.if.i.i.i.i, %B198.if.lr.ph.new.i.i.new.i.i
-  %lsr.iv68.i.i = phi i64 [ %lsr.iv.next69.i.i, %B198.if.i.i.i.i ], [ %193, %B198.if.lr.ph.new.i.i.new.i.i ]
+  %lsr.iv68.i.i = phi i64 [ %lsr.iv.next69.i.i, %B198.if.i.i.i.i ], [ %194, %B198.if.lr.ph.new.i.i.new.i.i ]
   %.416441443.i.i.i.i = phi i64 [ %.423.3.i.i.1.i.i, %B198.if.i.i.i.i ], [ 0, %B198.if.lr.ph.new.i.i.new.i.i ]
   %sunkaddr169.i.i = shl i64 %.416441443.i.i.i.i, 3
   %sunkaddr170.i.i = getelementptr i8, ptr %arg.state.15.4, i64 %sunkaddr169.i.i
@@ -6134,26 +6216,26 @@ B198.if.i.i.i.i:                                  ; preds = %B198.if.i.i.i.i, %B
 B22.preheader.i.i.i.i.i:                          ; preds = %B348.i.i.i.i
   %.264.i.i.i.i.i = shl nsw i64 %.572.i.i.i66, 1
   %.277.i.i.i.i.i = mul i64 %.538.1.i.i.i, -3
-  %194 = lshr i64 %.530.i.i.i, 3
-  %.neg.i.i.i = mul i64 %194, -3584
-  %195 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg.i.i.i
-  %196 = getelementptr i8, ptr %195, i64 %.686.idx.i.i.i
-  %scevgep212.i.i.i = getelementptr i8, ptr %196, i64 72
+  %195 = lshr i64 %.530.i.i.i, 3
+  %.neg.i.i.i = mul i64 %195, -3584
+  %196 = getelementptr i8, ptr %arg.state.16.4, i64 %.neg.i.i.i
+  %197 = getelementptr i8, ptr %196, i64 %.686.idx.i.i.i
+  %scevgep212.i.i.i = getelementptr i8, ptr %197, i64 72
   br label %B22.i.i.i.i.i
 
 B22.i.i.i.i.i:                                    ; preds = %B926.i.i.i.i.i, %B22.preheader.i.i.i.i.i
   %cell.2.0.i.i.i.i.i = phi i64 [ %cell.3.2.i.i.i.i.i, %B926.i.i.i.i.i ], [ %.653.i.i.i.i, %B22.preheader.i.i.i.i.i ]
   %start.2.0.i.i.i.i.i = phi i64 [ %.13.i.i.i.i.i.i, %B926.i.i.i.i.i ], [ %.13.i1.i.i.i.i, %B22.preheader.i.i.i.i.i ]
-  %.149.i.i.i.i.i70 = getelementptr inbounds i64, ptr %.812.i.i.i, i64 %cell.2.0.i.i.i.i.i
-  %.150.i.i.i.i.i = load i64, ptr %.149.i.i.i.i.i70, align 8, !noalias !158
+  %.149.i.i.i.i.i74 = getelementptr inbounds i64, ptr %.812.i.i.i, i64 %cell.2.0.i.i.i.i.i
+  %.150.i.i.i.i.i = load i64, ptr %.149.i.i.i.i.i74, align 8, !noalias !158
   %.154.not.i.i.i.i.i = icmp sgt i64 %.150.i.i.i.i.i, %start.2.0.i.i.i.i.i
   br i1 %.154.not.i.i.i.i.i, label %B112.i.i.i.i.i, label %B62.i.i.i.i.i
 
 B62.i.i.i.i.i:                                    ; preds = %B22.i.i.i.i.i, %B62.i.i.i.i.i
   %cell.4.1.i.i.i.i.i = phi i64 [ %.157.i.i.i.i.i, %B62.i.i.i.i.i ], [ %cell.2.0.i.i.i.i.i, %B22.i.i.i.i.i ]
   %.157.i.i.i.i.i = add i64 %cell.4.1.i.i.i.i.i, 1
-  %197 = shl i64 %cell.4.1.i.i.i.i.i, 3
-  %scevgep213.i.i.i = getelementptr i8, ptr %scevgep212.i.i.i, i64 %197
+  %198 = shl i64 %cell.4.1.i.i.i.i.i, 3
+  %scevgep213.i.i.i = getelementptr i8, ptr %scevgep212.i.i.i, i64 %198
   %.170.i.i.i.i.i = load i64, ptr %scevgep213.i.i.i, align 8, !noalias !158
   %.172.not.i.i.i.i.i = icmp sgt i64 %.170.i.i.i.i.i, %start.2.0.i.i.i.i.i
   br i1 %.172.not.i.i.i.i.i, label %B112.i.i.i.i.i, label %B62.i.i.i.i.i
@@ -6164,8 +6246,8 @@ B112.i.i.i.i.i:                                   ; preds = %B62.i.i.i.i.i, %B22
   %.185.i.i.i.i.i = load i64, ptr %.184.i.i.i.i.i, align 8, !noalias !158
   %.13.i.i.i.i.i.i = tail call i64 @llvm.smin.i64(i64 %.13.i3.i.i.i.i, i64 %.185.i.i.i.i.i)
   %.395.i.i.i.i.i = sub i64 %.13.i.i.i.i.i.i, %start.2.0.i.i.i.i.i
-  %198 = add i64 %.395.i.i.i.i.i, 7
-  %.417.i.i.i.i.i = lshr i64 %198, 3
+  %199 = add i64 %.395.i.i.i.i.i, 7
+  %.417.i.i.i.i.i = lshr i64 %199, 3
   %.396.inv.i.i.i.i.i = icmp slt i64 %.395.i.i.i.i.i, 1
   %.438305.not326.i.i.i.i.i = icmp eq i64 %.417.i.i.i.i.i, 0
   %.438305.not.i.i.i.i.i = or i1 %.396.inv.i.i.i.i.i, %.438305.not326.i.i.i.i.i
@@ -6183,8 +6265,8 @@ B570.if.lr.ph.i.i.i.i.i:                          ; preds = %B112.i.i.i.i.i
   %.347.i.i.i.i.i = getelementptr inbounds double, ptr %.2688.i.i.i, i64 %.279.i.i.i.i.i
   %.348.i.i.i.i.i = load double, ptr %.347.i.i.i.i.i, align 8, !noalias !158
   %.266.i.i.i.i.i = add nsw i64 %cell.3.2.i.i.i.i.i, %.264.i.i.i.i.i
-  %.334.i.i.i.i.i = getelementptr inbounds double, ptr %.2688.i.i.i, i64 %.266.i.i.i.i.i
-  %.335.i.i.i.i.i = load double, ptr %.334.i.i.i.i.i, align 8, !noalias !158
+  %.334.i.i.i.i.i75 = getelementptr inbounds double, ptr %.2688.i.i.i, i64 %.266.i.i.i.i.i
+  %.335.i.i.i.i.i = load double, ptr %.334.i.i.i.i.i75, align 8, !noalias !158
   %.247.i.i.i.i.i = sub i64 %cell.3.2.i.i.i.i.i, %.538.1.i.i.i
   %.315.i.i.i.i.i = getelementptr inbounds double, ptr %.2688.i.i.i, i64 %.247.i.i.i.i.i
   %.316.i.i.i.i.i = load double, ptr %.315.i.i.i.i.i, align 8, !noalias !158
@@ -6216,13 +6298,13 @@ B570.if.lr.ph.i.i.i.i.i:                          ; preds = %B112.i.i.i.i.i
   %.553.i.i.i.i.i = shufflevector <8 x double> %.552.i.i.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.6.i.i.i.i.i.i = insertelement <8 x double> poison, double %.231.i.i.i.i.i, i64 0
   %.7.i.i.i.i.i.i = shufflevector <8 x double> %.6.i.i.i.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %199 = shl i64 %start.2.0.i.i.i.i.i, 3
-  %200 = add nuw nsw i64 %.417.i.i.i.i.i, 9
+  %200 = shl i64 %start.2.0.i.i.i.i.i, 3
+  %201 = add nuw nsw i64 %.417.i.i.i.i.i, 9
   br label %B570.if.i.i.i.i.i
 
 B570.if.i.i.i.i.i:                                ; preds = %B570.if.i.i.i.i.i, %B570.if.lr.ph.i.i.i.i.i
-  %lsr.iv102.i.i = phi i64 [ %lsr.iv.next103.i.i, %B570.if.i.i.i.i.i ], [ %200, %B570.if.lr.ph.i.i.i.i.i ]
-  %lsr.iv8.i.i.i.i.i = phi i64 [ %lsr.iv.next9.i.i.i.i.i, %B570.if.i.i.i.i.i ], [ %199, %B570.if.lr.ph.i.i.i.i.i ]
+  %lsr.iv102.i.i = phi i64 [ %lsr.iv.next103.i.i, %B570.if.i.i.i.i.i ], [ %201, %B570.if.lr.ph.i.i.i.i.i ]
+  %lsr.iv8.i.i.i.i.i = phi i64 [ %lsr.iv.next9.i.i.i.i.i, %B570.if.i.i.i.i.i ], [ %200, %B570.if.lr.ph.i.i.i.i.i ]
   %scevgep13.i.i.i.i.i = getelementptr i8, ptr %.2255.i.i.i, i64 %lsr.iv8.i.i.i.i.i
   %.485.i.i.i.i.i = load <8 x double>, ptr %scevgep13.i.i.i.i.i, align 8, !noalias !158
   %.8.i.i.i.i.i.i = fadd contract <8 x double> %.7.i.i.i.i.i.i, %.485.i.i.i.i.i
@@ -6245,8 +6327,8 @@ B348.endif.endif.endif.i.i.i.i:                   ; preds = %B926.i.i.i.i.i, %B3
   %cell.5.1.i.i.i.i.i = phi i64 [ %.653.i.i.i.i, %B348.i.i.i.i ], [ %cell.3.2.i.i.i.i.i, %B926.i.i.i.i.i ]
   store i64 %cell.5.1.i.i.i.i.i, ptr %.2334.i.i.i, align 8, !noalias !154
   %.835.i.i.i.i = sub i64 %.13.i79.i, %.13.i3.i.i.i.i
-  %201 = add i64 %.835.i.i.i.i, 7
-  %.857.i.i.i.i = lshr i64 %201, 3
+  %202 = add i64 %.835.i.i.i.i, 7
+  %.857.i.i.i.i = lshr i64 %202, 3
   %.836.inv.i.i.i.i = icmp slt i64 %.835.i.i.i.i, 1
   %.878448.not454.i.i.i.i = icmp eq i64 %.857.i.i.i.i, 0
   %.878448.not.i.i.i.i = or i1 %.836.inv.i.i.i.i, %.878448.not454.i.i.i.i
@@ -6254,10 +6336,10 @@ B348.endif.endif.endif.i.i.i.i:                   ; preds = %B926.i.i.i.i.i, %B3
 
 B590.if.lr.ph.i.i.i.i:                            ; preds = %B348.endif.endif.endif.i.i.i.i
   %.918.i.i.i.i = insertelement <8 x double> poison, double %edges.2.sroa.16.0.i.i.i, i64 0
-  %.919.i.i.i.i = shufflevector <8 x double> %.918.i.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.919.i.i.i.i68 = shufflevector <8 x double> %.918.i.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.932.i.i.i.i = insertelement <8 x double> poison, double %edges.2.sroa.24.0.i.i.i, i64 0
   %.933.i.i.i.i = shufflevector <8 x double> %.932.i.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %202 = add nsw i64 %.857.i.i.i.i, -1
+  %203 = add nsw i64 %.857.i.i.i.i, -1
   %xtraiter28.i.i.i.i = and i64 %.857.i.i.i.i, 3
   %lcmp.mod29.not.i.i.i.i = icmp eq i64 %xtraiter28.i.i.i.i, 0
   br i1 %lcmp.mod29.not.i.i.i.i, label %B590.if.prol.loopexit.i.i.i.i, label %B590.if.prol.i.i.i.i
@@ -6266,49 +6348,49 @@ B590.if.prol.i.i.i.i:                             ; preds = %B590.if.lr.ph.i.i.i
   %lsr.iv105.i.i = phi i64 [ %lsr.iv.next106.i.i, %B590.if.prol.i.i.i.i ], [ %xtraiter28.i.i.i.i, %B590.if.lr.ph.i.i.i.i ]
   %.884447449.prol.i.i.i.i = phi i64 [ %.891.prol.i.i.i.i, %B590.if.prol.i.i.i.i ], [ %.487.i.i.i.i, %B590.if.lr.ph.i.i.i.i ]
   %.891.prol.i.i.i.i = add i64 %.884447449.prol.i.i.i.i, 8
-  %203 = shl i64 %.884447449.prol.i.i.i.i, 3
-  %scevgep208.i.i.i = getelementptr i8, ptr %.3251.i.i, i64 %203
+  %204 = shl i64 %.884447449.prol.i.i.i.i, 3
+  %scevgep208.i.i.i = getelementptr i8, ptr %.3251.i.i, i64 %204
   %scevgep209.i.i.i = getelementptr i8, ptr %scevgep208.i.i.i, i64 -1088
-  store <8 x double> %.919.i.i.i.i, ptr %scevgep209.i.i.i, align 8, !noalias !154
+  store <8 x double> %.919.i.i.i.i68, ptr %scevgep209.i.i.i, align 8, !noalias !154
   store <8 x double> %.933.i.i.i.i, ptr %scevgep208.i.i.i, align 8, !noalias !154
   %lsr.iv.next106.i.i = add nsw i64 %lsr.iv105.i.i, -1
   %ov226.i.i = icmp eq i64 %lsr.iv.next106.i.i, 0
   br i1 %ov226.i.i, label %B590.if.prol.loopexit.loopexit.i.i.i.i, label %B590.if.prol.i.i.i.i, !llvm.loop !161
 
 B590.if.prol.loopexit.loopexit.i.i.i.i:           ; preds = %B590.if.prol.i.i.i.i
-  %204 = and i64 %.857.i.i.i.i, 2305843009213693948
+  %205 = and i64 %.857.i.i.i.i, 2305843009213693948
   br label %B590.if.prol.loopexit.i.i.i.i
 
 B590.if.prol.loopexit.i.i.i.i:                    ; preds = %B590.if.prol.loopexit.loopexit.i.i.i.i, %B590.if.lr.ph.i.i.i.i
-  %.877446450.unr.i.i.i.i = phi i64 [ %.857.i.i.i.i, %B590.if.lr.ph.i.i.i.i ], [ %204, %B590.if.prol.loopexit.loopexit.i.i.i.i ]
+  %.877446450.unr.i.i.i.i = phi i64 [ %.857.i.i.i.i, %B590.if.lr.ph.i.i.i.i ], [ %205, %B590.if.prol.loopexit.loopexit.i.i.i.i ]
   %.884447449.unr.i.i.i.i = phi i64 [ %.487.i.i.i.i, %B590.if.lr.ph.i.i.i.i ], [ %.891.prol.i.i.i.i, %B590.if.prol.loopexit.loopexit.i.i.i.i ]
-  %205 = icmp ult i64 %202, 3
-  br i1 %205, label %B35378.endif.endif.endif.endif.endif.endif.endif.i.i.i, label %B590.if.preheader.i.i.i.i
+  %206 = icmp ult i64 %203, 3
+  br i1 %206, label %B35378.endif.endif.endif.endif.endif.endif.endif.i.i.i, label %B590.if.preheader.i.i.i.i
 
 B590.if.preheader.i.i.i.i:                        ; preds = %B590.if.prol.loopexit.i.i.i.i
-  %206 = shl i64 %.884447449.unr.i.i.i.i, 3
-  %207 = getelementptr i8, ptr %arg.state.15.4, i64 %206
-  %scevgep.i100.i.i = getelementptr i8, ptr %207, i64 8896
-  %208 = add nuw nsw i64 %.877446450.unr.i.i.i.i, 32
+  %207 = shl i64 %.884447449.unr.i.i.i.i, 3
+  %208 = getelementptr i8, ptr %arg.state.15.4, i64 %207
+  %scevgep.i100.i.i = getelementptr i8, ptr %208, i64 8896
+  %209 = add nuw nsw i64 %.877446450.unr.i.i.i.i, 32
   br label %B590.if.i.i.i.i
 
 B590.if.i.i.i.i:                                  ; preds = %B590.if.i.i.i.i, %B590.if.preheader.i.i.i.i
-  %lsr.iv107.i.i = phi i64 [ %lsr.iv.next.i.i, %B590.if.i.i.i.i ], [ %208, %B590.if.preheader.i.i.i.i ]
+  %lsr.iv107.i.i = phi i64 [ %lsr.iv.next.i.i, %B590.if.i.i.i.i ], [ %209, %B590.if.preheader.i.i.i.i ]
   %lsr.iv.i101.i.i = phi ptr [ %scevgep199.i.i.i, %B590.if.i.i.i.i ], [ %scevgep.i100.i.i, %B590.if.preheader.i.i.i.i ]
   %scevgep203.i.i.i = getelementptr i8, ptr %lsr.iv.i101.i.i, i64 -1088
   %scevgep206.i.i.i = getelementptr i8, ptr %lsr.iv.i101.i.i, i64 -1280
-  store <8 x double> %.919.i.i.i.i, ptr %scevgep206.i.i.i, align 8, !noalias !154
+  store <8 x double> %.919.i.i.i.i68, ptr %scevgep206.i.i.i, align 8, !noalias !154
   %scevgep202.i.i.i = getelementptr i8, ptr %lsr.iv.i101.i.i, i64 -192
   store <8 x double> %.933.i.i.i.i, ptr %scevgep202.i.i.i, align 8, !noalias !154
   %scevgep205.i.i.i = getelementptr i8, ptr %lsr.iv.i101.i.i, i64 -1216
-  store <8 x double> %.919.i.i.i.i, ptr %scevgep205.i.i.i, align 8, !noalias !154
+  store <8 x double> %.919.i.i.i.i68, ptr %scevgep205.i.i.i, align 8, !noalias !154
   %scevgep201.i.i.i = getelementptr i8, ptr %lsr.iv.i101.i.i, i64 -128
   store <8 x double> %.933.i.i.i.i, ptr %scevgep201.i.i.i, align 8, !noalias !154
   %scevgep204.i.i.i = getelementptr i8, ptr %lsr.iv.i101.i.i, i64 -1152
-  store <8 x double> %.919.i.i.i.i, ptr %scevgep204.i.i.i, align 8, !noalias !154
+  store <8 x double> %.919.i.i.i.i68, ptr %scevgep204.i.i.i, align 8, !noalias !154
   %scevgep200.i.i.i = getelementptr i8, ptr %lsr.iv.i101.i.i, i64 -64
   store <8 x double> %.933.i.i.i.i, ptr %scevgep200.i.i.i, align 8, !noalias !154
-  store <8 x double> %.919.i.i.i.i, ptr %scevgep203.i.i.i, align 8, !noalias !154
+  store <8 x double> %.919.i.i.i.i68, ptr %scevgep203.i.i.i, align 8, !noalias !154
   store <8 x double> %.933.i.i.i.i, ptr %lsr.iv.i101.i.i, align 8, !noalias !154
   %scevgep199.i.i.i = getelementptr i8, ptr %lsr.iv.i101.i.i, i64 256
   %lsr.iv.next.i.i = add nsw i64 %lsr.iv107.i.i, -4
@@ -6327,19 +6409,19 @@ B18141.i.i:                                       ; preds = %B17881.endif.i.i
 
 B35093.i.i:                                       ; preds = %B17881.endif.i.i, %B18141.i.i, %B17881.endif.thread.i.i
   %"$phi1338.1.2.1.i.i" = phi double [ %.4613.i.i, %B18141.i.i ], [ 0.000000e+00, %B17881.endif.i.i ], [ 0.000000e+00, %B17881.endif.thread.i.i ]
-  %209 = inttoptr i64 %.3912.i.i to ptr
+  %210 = inttoptr i64 %.3912.i.i to ptr
   %.idx3966.i.i = mul nuw nsw i64 %.372740204029.i.i, 1088
-  %210 = getelementptr i8, ptr %arg.state.15.4, i64 %.idx3966.i.i
-  %.4652.i.i = getelementptr i8, ptr %210, i64 9792
-  %.4746.i.i = getelementptr i8, ptr %210, i64 16320
-  br i1 %.1026.i.i.i, label %B22.i.i.i, label %_ZN17bnserve_surrogate8tangents7_points10write_modeB4v502B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %211 = getelementptr i8, ptr %arg.state.15.4, i64 %.idx3966.i.i
+  %.4652.i.i = getelementptr i8, ptr %211, i64 9792
+  %.4746.i.i = getelementptr i8, ptr %211, i64 16320
+  br i1 %.1026.i.i.i, label %B22.i.i.i, label %_ZN17bnserve_surrogate8tangents7_points10write_modeB4v503B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
 B22.i.i.i:                                        ; preds = %B35093.i.i, %B35675.i.i.i
   %j.2.0.i20.i.i = phi i64 [ %.1133.i.i.i, %B35675.i.i.i ], [ 0, %B35093.i.i ]
   %.176.i.i.i = sub nsw i64 %.2143.i.i, %j.2.0.i20.i.i
   %.13.i.i21.i.i = tail call i64 @llvm.smin.i64(i64 %.176.i.i.i, i64 8)
-  %.216.i.i.i = icmp slt i64 %j.2.0.i20.i.i, %_places_v436__vphi458_2.2.1.i.i
-  %.13.i69.i.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 -1, 4) %_places_v436__vphi458_2.2.1.i.i, i64 %.13.i.i21.i.i)
+  %.216.i.i.i = icmp slt i64 %j.2.0.i20.i.i, %_places_v437__vphi458_2.2.1.i.i
+  %.13.i69.i.i.i = tail call i64 @llvm.smin.i64(i64 range(i64 -1, 4) %_places_v437__vphi458_2.2.1.i.i, i64 %.13.i.i21.i.i)
   %size.3.1.i.i.i = select i1 %.216.i.i.i, i64 %.13.i69.i.i.i, i64 %.13.i.i21.i.i
   %.261.i.i.i = icmp sgt i64 %cut.3.0.i.i.i, %j.2.0.i20.i.i
   %.265.i.i.i = sub nsw i64 %cut.3.0.i.i.i, %j.2.0.i20.i.i
@@ -6389,27 +6471,27 @@ B862.i.i.i:                                       ; preds = %B22.i.i.i
 
 B866.if.lr.ph.i.i.i:                              ; preds = %B862.i.i.i
   %.1015.i.i.i = shl nsw i64 %j.2.0.i20.i.i, 1
-  %211 = shl i64 %j.2.0.i20.i.i, 4
-  %scevgep85.i.i.i = getelementptr i8, ptr %209, i64 %211
+  %212 = shl i64 %j.2.0.i20.i.i, 4
+  %scevgep85.i.i.i71 = getelementptr i8, ptr %210, i64 %212
   %.1013.i.i.i = load double, ptr %arg.state.12.4, align 8, !noalias !162
   %.1030.i.i.i = icmp slt i64 %j.2.0.i20.i.i, 0
-  %212 = select i1 %.1030.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep89.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i, i64 %212
-  store double %.1013.i.i.i, ptr %scevgep89.i.i.i, align 8, !noalias !162
+  %213 = select i1 %.1030.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep89.i.i.i72 = getelementptr i8, ptr %scevgep85.i.i.i71, i64 %213
+  store double %.1013.i.i.i, ptr %scevgep89.i.i.i72, align 8, !noalias !162
   %.1013.1.i.i.i = load double, ptr %sunkaddr1.i7.i.i, align 8, !noalias !162
-  %scevgep88.i.i.i = getelementptr i8, ptr %scevgep89.i.i.i, i64 8
-  store double %.1013.1.i.i.i, ptr %scevgep88.i.i.i, align 8, !noalias !162
+  %scevgep88.i.i.i73 = getelementptr i8, ptr %scevgep89.i.i.i72, i64 8
+  store double %.1013.1.i.i.i, ptr %scevgep88.i.i.i73, align 8, !noalias !162
   %exitcond.not.1.i27.i.i = icmp eq i64 %size.4.1.i.i.i, 1
   br i1 %exitcond.not.1.i27.i.i, label %B35675.i.i.i, label %B866.if.1.i.i.i
 
 B35621.i.i.i:                                     ; preds = %B22.i.i.i
-  %.304.i.i.i = sub nsw i64 %j.2.0.i20.i.i, %_places_v436__vphi458_2.2.1.i.i
+  %.304.i.i.i = sub nsw i64 %j.2.0.i20.i.i, %_places_v437__vphi458_2.2.1.i.i
   %.315.1.i.i.i = and i64 %.304.i.i.i, 3
   %.345.i.i.i = icmp eq i64 %.315.1.i.i.i, 0
   %.1073.i.i.i = select i1 %.345.i.i.i, i1 %or.cond3970.i.i, i1 false
   %.1088.idx.i.i.i = shl i64 %j.2.0.i20.i.i, 4
   %.1089.i.i.i = shufflevector <8 x double> %.6.i78.i.i.i, <8 x double> %.6.i81.i.i.i, <16 x i32> <i32 0, i32 8, i32 1, i32 9, i32 2, i32 10, i32 3, i32 11, i32 4, i32 12, i32 5, i32 13, i32 6, i32 14, i32 7, i32 15>
-  %sunkaddr2.i26.i.i = getelementptr i8, ptr %209, i64 %.1088.idx.i.i.i
+  %sunkaddr2.i26.i.i = getelementptr i8, ptr %210, i64 %.1088.idx.i.i.i
   br i1 %.1073.i.i.i, label %B35659.i.i.i, label %B35663.i.i.i
 
 B35659.i.i.i:                                     ; preds = %B35621.i.i.i
@@ -6423,14 +6505,14 @@ B35663.i.i.i:                                     ; preds = %B35621.i.i.i
 B35675.i.i.i:                                     ; preds = %B866.if.6.i.i.i, %B866.if.5.i.i.i, %B866.if.4.i.i.i, %B866.if.3.i.i.i, %B866.if.2.i.i.i, %B866.if.1.i.i.i, %B35663.i.i.i, %B35659.i.i.i, %B866.if.lr.ph.i.i.i, %B862.i.i.i
   %.1133.i.i.i = add nsw i64 %size.4.1.i.i.i, %j.2.0.i20.i.i
   %.1139.i.i.i = icmp slt i64 %.1133.i.i.i, %.2143.i.i
-  br i1 %.1139.i.i.i, label %B22.i.i.i, label %_ZN17bnserve_surrogate8tangents7_points10write_modeB4v502B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br i1 %.1139.i.i.i, label %B22.i.i.i, label %_ZN17bnserve_surrogate8tangents7_points10write_modeB4v503B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
 
 B866.if.1.i.i.i:                                  ; preds = %B866.if.lr.ph.i.i.i
   %.1013.11.i.i.i = load double, ptr %sunkaddr4.i8.i.i, align 8, !noalias !162
-  %213 = add i64 %.1015.i.i.i, 2
-  %.1030.1.i.i.i = icmp slt i64 %213, 0
-  %214 = select i1 %.1030.1.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep89.1.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i, i64 %214
+  %214 = add i64 %.1015.i.i.i, 2
+  %.1030.1.i.i.i = icmp slt i64 %214, 0
+  %215 = select i1 %.1030.1.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep89.1.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i71, i64 %215
   %scevgep90.1.i.i.i = getelementptr i8, ptr %scevgep89.1.i.i.i, i64 16
   store double %.1013.11.i.i.i, ptr %scevgep90.1.i.i.i, align 8, !noalias !162
   %.1013.1.1.i.i.i = load double, ptr %sunkaddr5.i9.i.i, align 8, !noalias !162
@@ -6441,10 +6523,10 @@ B866.if.1.i.i.i:                                  ; preds = %B866.if.lr.ph.i.i.i
 
 B866.if.2.i.i.i:                                  ; preds = %B866.if.1.i.i.i
   %.1013.2.i.i.i = load double, ptr %sunkaddr6.i10.i.i, align 8, !noalias !162
-  %215 = add i64 %.1015.i.i.i, 4
-  %.1030.2.i.i.i = icmp slt i64 %215, 0
-  %216 = select i1 %.1030.2.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep89.2.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i, i64 %216
+  %216 = add i64 %.1015.i.i.i, 4
+  %.1030.2.i.i.i = icmp slt i64 %216, 0
+  %217 = select i1 %.1030.2.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep89.2.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i71, i64 %217
   %scevgep90.2.i.i.i = getelementptr i8, ptr %scevgep89.2.i.i.i, i64 32
   store double %.1013.2.i.i.i, ptr %scevgep90.2.i.i.i, align 8, !noalias !162
   %.1013.1.2.i.i.i = load double, ptr %sunkaddr7.i11.i.i, align 8, !noalias !162
@@ -6455,10 +6537,10 @@ B866.if.2.i.i.i:                                  ; preds = %B866.if.1.i.i.i
 
 B866.if.3.i.i.i:                                  ; preds = %B866.if.2.i.i.i
   %.1013.3.i.i.i = load double, ptr %sunkaddr8.i12.i.i, align 8, !noalias !162
-  %217 = add i64 %.1015.i.i.i, 6
-  %.1030.3.i.i.i = icmp slt i64 %217, 0
-  %218 = select i1 %.1030.3.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep89.3.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i, i64 %218
+  %218 = add i64 %.1015.i.i.i, 6
+  %.1030.3.i.i.i = icmp slt i64 %218, 0
+  %219 = select i1 %.1030.3.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep89.3.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i71, i64 %219
   %scevgep90.3.i.i.i = getelementptr i8, ptr %scevgep89.3.i.i.i, i64 48
   store double %.1013.3.i.i.i, ptr %scevgep90.3.i.i.i, align 8, !noalias !162
   %.1013.1.3.i.i.i = load double, ptr %sunkaddr.i13.i.i, align 8, !noalias !162
@@ -6469,10 +6551,10 @@ B866.if.3.i.i.i:                                  ; preds = %B866.if.2.i.i.i
 
 B866.if.4.i.i.i:                                  ; preds = %B866.if.3.i.i.i
   %.1013.4.i.i.i = load double, ptr %sunkaddr9.i14.i.i, align 8, !noalias !162
-  %219 = add i64 %.1015.i.i.i, 8
-  %.1030.4.i.i.i = icmp slt i64 %219, 0
-  %220 = select i1 %.1030.4.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep89.4.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i, i64 %220
+  %220 = add i64 %.1015.i.i.i, 8
+  %.1030.4.i.i.i = icmp slt i64 %220, 0
+  %221 = select i1 %.1030.4.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep89.4.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i71, i64 %221
   %scevgep90.4.i.i.i = getelementptr i8, ptr %scevgep89.4.i.i.i, i64 64
   store double %.1013.4.i.i.i, ptr %scevgep90.4.i.i.i, align 8, !noalias !162
   %.1013.1.4.i.i.i = load double, ptr %sunkaddr10.i15.i.i, align 8, !noalias !162
@@ -6483,10 +6565,10 @@ B866.if.4.i.i.i:                                  ; preds = %B866.if.3.i.i.i
 
 B866.if.5.i.i.i:                                  ; preds = %B866.if.4.i.i.i
   %.1013.5.i.i.i = load double, ptr %sunkaddr11.i16.i.i, align 8, !noalias !162
-  %221 = add i64 %.1015.i.i.i, 10
-  %.1030.5.i.i.i = icmp slt i64 %221, 0
-  %222 = select i1 %.1030.5.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep89.5.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i, i64 %222
+  %222 = add i64 %.1015.i.i.i, 10
+  %.1030.5.i.i.i = icmp slt i64 %222, 0
+  %223 = select i1 %.1030.5.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep89.5.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i71, i64 %223
   %scevgep90.5.i.i.i = getelementptr i8, ptr %scevgep89.5.i.i.i, i64 80
   store double %.1013.5.i.i.i, ptr %scevgep90.5.i.i.i, align 8, !noalias !162
   %.1013.1.5.i.i.i = load double, ptr %sunkaddr12.i17.i.i, align 8, !noalias !162
@@ -6497,10 +6579,10 @@ B866.if.5.i.i.i:                                  ; preds = %B866.if.4.i.i.i
 
 B866.if.6.i.i.i:                                  ; preds = %B866.if.5.i.i.i
   %.1013.6.i.i.i = load double, ptr %sunkaddr13.i18.i.i, align 8, !noalias !162
-  %223 = add i64 %.1015.i.i.i, 12
-  %.1030.6.i.i.i = icmp slt i64 %223, 0
-  %224 = select i1 %.1030.6.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep89.6.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i, i64 %224
+  %224 = add i64 %.1015.i.i.i, 12
+  %.1030.6.i.i.i = icmp slt i64 %224, 0
+  %225 = select i1 %.1030.6.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep89.6.i.i.i = getelementptr i8, ptr %scevgep85.i.i.i71, i64 %225
   %scevgep90.6.i.i.i = getelementptr i8, ptr %scevgep89.6.i.i.i, i64 96
   store double %.1013.6.i.i.i, ptr %scevgep90.6.i.i.i, align 8, !noalias !162
   %.1013.1.6.i.i.i = load double, ptr %sunkaddr14.i19.i.i, align 8, !noalias !162
@@ -6508,8 +6590,8 @@ B866.if.6.i.i.i:                                  ; preds = %B866.if.5.i.i.i
   store double %.1013.1.6.i.i.i, ptr %scevgep88.6.i.i.i, align 8, !noalias !162
   br label %B35675.i.i.i
 
-_ZN17bnserve_surrogate8tangents7_points10write_modeB4v502B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B35675.i.i.i, %B35093.i.i
-  br i1 %91, label %B35093.endif.endif.endif.endif.i.i, label %B48.if.preheader.i209.i.i
+_ZN17bnserve_surrogate8tangents7_points10write_modeB4v503B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i: ; preds = %B35675.i.i.i, %B35093.i.i
+  br i1 %92, label %B35093.endif.endif.endif.endif.i.i, label %B48.if.preheader.i209.i.i
 
 B294.if.i.i:                                      ; preds = %B1338.endif.endif.endif.endif.i.i, %B250.i.i
   %.106040394047.i.i = phi i64 [ 0, %B250.i.i ], [ %.1067.i.i, %B1338.endif.endif.endif.endif.i.i ]
@@ -6536,82 +6618,82 @@ B294.if.i.i:                                      ; preds = %B1338.endif.endif.e
   %.1571.i.i = sub i64 0, %.1245.i.i
   %.1584.1.i.i = lshr exact i64 %.1571.i.i, 4
   %.1632.i.i = and i64 %.1584.1.i.i, 3
-  %_carrier_v457__places_v462__vphi458_2.2.1.i.i = select i1 %or.cond.i.i, i64 %.1632.i.i, i64 -1
+  %_carrier_v458__places_v463__vphi458_2.2.1.i.i = select i1 %or.cond.i.i, i64 %.1632.i.i, i64 -1
   %.1760.i.i = icmp ne i64 %.106040394047.i.i, 0
   %or.cond4.i.i = or i1 %.595.inv.i.i.i, %.1760.i.i
   br i1 %or.cond4.i.i, label %B1338.i.i, label %B34.if.preheader.i.i.i
 
-B48.if.preheader.i.i.i:                           ; preds = %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
-  br i1 %99, label %B48.if.prol.loopexit.i.i.i, label %B48.if.prol.i.preheader.i.i
+B48.if.preheader.i.i.i:                           ; preds = %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br i1 %100, label %B48.if.prol.loopexit.i.i.i, label %B48.if.prol.i.preheader.i.i
 
 B48.if.prol.i.preheader.i.i:                      ; preds = %B48.if.preheader.i.i.i
-  %scevgep489.i.i = getelementptr i8, ptr %153, i64 %85
+  %scevgep489.i.i = getelementptr i8, ptr %154, i64 %86
   br label %B48.if.prol.i.i.i
 
 B48.if.prol.i.i.i:                                ; preds = %B48.if.prol.i.i.i, %B48.if.prol.i.preheader.i.i
   %lsr.iv487.i.i = phi i64 [ 0, %B48.if.prol.i.preheader.i.i ], [ %lsr.iv.next488.i.i, %B48.if.prol.i.i.i ]
-  %225 = add i64 %lsr.iv487.i.i, %.20.i210.i.i
-  %.154.prol.i.i.i = icmp slt i64 %225, 0
-  %226 = select i1 %.154.prol.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep490.i.i = getelementptr i8, ptr %scevgep489.i.i, i64 %226
-  %227 = shl i64 %lsr.iv487.i.i, 3
-  %scevgep45.i16.i = getelementptr i8, ptr %scevgep490.i.i, i64 %227
+  %226 = add i64 %lsr.iv487.i.i, %.20.i210.i.i
+  %.154.prol.i.i.i = icmp slt i64 %226, 0
+  %227 = select i1 %.154.prol.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep490.i.i = getelementptr i8, ptr %scevgep489.i.i, i64 %227
+  %228 = shl i64 %lsr.iv487.i.i, 3
+  %scevgep45.i16.i = getelementptr i8, ptr %scevgep490.i.i, i64 %228
   store double 0.000000e+00, ptr %scevgep45.i16.i, align 8, !noalias !165
   %lsr.iv.next488.i.i = add nuw nsw i64 %lsr.iv487.i.i, 1
-  %prol.iter.cmp.not.i.i.i = icmp eq i64 %84, %lsr.iv.next488.i.i
+  %prol.iter.cmp.not.i.i.i = icmp eq i64 %85, %lsr.iv.next488.i.i
   br i1 %prol.iter.cmp.not.i.i.i, label %B48.if.prol.loopexit.loopexit.i.i.i, label %B48.if.prol.i.i.i, !llvm.loop !168
 
 B48.if.prol.loopexit.loopexit.i.i.i:              ; preds = %B48.if.prol.i.i.i
-  %228 = sub i64 %83, %lsr.iv.next488.i.i
-  %229 = add i64 %lsr.iv.next488.i.i, %.20.i210.i.i
+  %229 = sub i64 %84, %lsr.iv.next488.i.i
+  %230 = add i64 %lsr.iv.next488.i.i, %.20.i210.i.i
   br label %B48.if.prol.loopexit.i.i.i
 
 B48.if.prol.loopexit.i.i.i:                       ; preds = %B48.if.prol.loopexit.loopexit.i.i.i, %B48.if.preheader.i.i.i
-  %.1025458.unr.i.i.i = phi i64 [ %.58.i207.i.i, %B48.if.preheader.i.i.i ], [ %228, %B48.if.prol.loopexit.loopexit.i.i.i ]
-  %.1095557.unr.i.i.i = phi i64 [ %.20.i210.i.i, %B48.if.preheader.i.i.i ], [ %229, %B48.if.prol.loopexit.loopexit.i.i.i ]
-  br i1 %101, label %B1338.endif.endif.endif.endif.i.i, label %B48.if.preheader1.i.i.i
+  %.1025458.unr.i.i.i = phi i64 [ %.58.i207.i.i, %B48.if.preheader.i.i.i ], [ %229, %B48.if.prol.loopexit.loopexit.i.i.i ]
+  %.1095557.unr.i.i.i = phi i64 [ %.20.i210.i.i, %B48.if.preheader.i.i.i ], [ %230, %B48.if.prol.loopexit.loopexit.i.i.i ]
+  br i1 %102, label %B1338.endif.endif.endif.endif.i.i, label %B48.if.preheader1.i.i.i
 
 B48.if.preheader1.i.i.i:                          ; preds = %B48.if.prol.loopexit.i.i.i
-  %230 = add i64 %.1025458.unr.i.i.i, 4
-  %231 = shl i64 %.1095557.unr.i.i.i, 3
-  %scevgep46.i.i = getelementptr i8, ptr %153, i64 %231
+  %231 = add i64 %.1025458.unr.i.i.i, 4
+  %232 = shl i64 %.1095557.unr.i.i.i, 3
+  %scevgep46.i.i = getelementptr i8, ptr %154, i64 %232
   br label %B48.if.i.i.i
 
 B48.if.i.i.i:                                     ; preds = %B48.if.i.i.i, %B48.if.preheader1.i.i.i
   %lsr.iv47.i.i = phi ptr [ %scevgep48.i18.i, %B48.if.i.i.i ], [ %scevgep46.i.i, %B48.if.preheader1.i.i.i ]
-  %lsr.iv.i128.i.i = phi i64 [ %lsr.iv.next.i134.i.i, %B48.if.i.i.i ], [ %230, %B48.if.preheader1.i.i.i ]
-  %.1095557.i.i.i = phi i64 [ %239, %B48.if.i.i.i ], [ %.1095557.unr.i.i.i, %B48.if.preheader1.i.i.i ]
+  %lsr.iv.i128.i.i = phi i64 [ %lsr.iv.next.i134.i.i, %B48.if.i.i.i ], [ %231, %B48.if.preheader1.i.i.i ]
+  %.1095557.i.i.i = phi i64 [ %240, %B48.if.i.i.i ], [ %.1095557.unr.i.i.i, %B48.if.preheader1.i.i.i ]
   %.154.i.i.i = icmp slt i64 %.1095557.i.i.i, 0
-  %232 = select i1 %.154.i.i.i, i64 %.4062.i.i, i64 0
-  %scevgep52.i.i = getelementptr i8, ptr %lsr.iv47.i.i, i64 %232
+  %233 = select i1 %.154.i.i.i, i64 %.4062.i.i, i64 0
+  %scevgep52.i.i = getelementptr i8, ptr %lsr.iv47.i.i, i64 %233
   store double 0.000000e+00, ptr %scevgep52.i.i, align 8, !noalias !165
-  %233 = add i64 %.1095557.i.i.i, 1
-  %.154.1.i.i.i = icmp slt i64 %233, 0
-  %234 = select i1 %.154.1.i.i.i, i64 %86, i64 8
-  %scevgep51.i.i = getelementptr i8, ptr %lsr.iv47.i.i, i64 %234
+  %234 = add i64 %.1095557.i.i.i, 1
+  %.154.1.i.i.i = icmp slt i64 %234, 0
+  %235 = select i1 %.154.1.i.i.i, i64 %87, i64 8
+  %scevgep51.i.i = getelementptr i8, ptr %lsr.iv47.i.i, i64 %235
   store double 0.000000e+00, ptr %scevgep51.i.i, align 8, !noalias !165
-  %235 = add i64 %.1095557.i.i.i, 2
-  %.154.2.i.i.i = icmp slt i64 %235, 0
-  %236 = select i1 %.154.2.i.i.i, i64 %87, i64 16
-  %scevgep50.i.i = getelementptr i8, ptr %lsr.iv47.i.i, i64 %236
+  %236 = add i64 %.1095557.i.i.i, 2
+  %.154.2.i.i.i = icmp slt i64 %236, 0
+  %237 = select i1 %.154.2.i.i.i, i64 %88, i64 16
+  %scevgep50.i.i = getelementptr i8, ptr %lsr.iv47.i.i, i64 %237
   store double 0.000000e+00, ptr %scevgep50.i.i, align 8, !noalias !165
-  %237 = add i64 %.1095557.i.i.i, 3
-  %.154.3.i.i.i = icmp slt i64 %237, 0
-  %238 = select i1 %.154.3.i.i.i, i64 %88, i64 24
-  %scevgep49.i17.i = getelementptr i8, ptr %lsr.iv47.i.i, i64 %238
+  %238 = add i64 %.1095557.i.i.i, 3
+  %.154.3.i.i.i = icmp slt i64 %238, 0
+  %239 = select i1 %.154.3.i.i.i, i64 %89, i64 24
+  %scevgep49.i17.i = getelementptr i8, ptr %lsr.iv47.i.i, i64 %239
   store double 0.000000e+00, ptr %scevgep49.i17.i, align 8, !noalias !165
   %lsr.iv.next.i134.i.i = add i64 %lsr.iv.i128.i.i, -4
   %scevgep48.i18.i = getelementptr i8, ptr %lsr.iv47.i.i, i64 32
   %.103.3.i.i.i = icmp sgt i64 %lsr.iv.next.i134.i.i, 4
-  %239 = add i64 %.1095557.i.i.i, 4
+  %240 = add i64 %.1095557.i.i.i, 4
   br i1 %.103.3.i.i.i, label %B48.if.i.i.i, label %B1338.endif.endif.endif.endif.i.i
 
-B1338.endif.endif.endif.endif.i.i:                ; preds = %B48.if.i.i.i, %B48.if.prol.loopexit.i.i.i, %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B1338.endif.endif.endif.endif.i.i:                ; preds = %B48.if.i.i.i, %B48.if.prol.loopexit.i.i.i, %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   %exitcond4104.not.i.i = icmp eq i64 %.1067.i.i, 6
-  br i1 %exitcond4104.not.i.i, label %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v431B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i, label %B294.if.i.i
+  br i1 %exitcond4104.not.i.i, label %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v432B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i, label %B294.if.i.i
 
 B294.loopexit.unr-lcssa.i.i.i:                    ; preds = %B278.if.i.i.i
-  br i1 %244, label %B294.i.i.i, label %B278.if.epil.i.i.i.preheader
+  br i1 %245, label %B294.i.i.i, label %B278.if.epil.i.i.i.preheader
 
 B278.if.epil.i.i.i.preheader:                     ; preds = %B278.if.preheader.i.i.i, %B294.loopexit.unr-lcssa.i.i.i
   %w.2.1315.epil.i.i.i.ph = phi <8 x double> [ %.6.i15.3.i.i.i, %B294.loopexit.unr-lcssa.i.i.i ], [ %.717.i.i.i, %B278.if.preheader.i.i.i ]
@@ -6652,19 +6734,19 @@ B472.i.i.i:                                       ; preds = %B456.i.i.i
   br i1 %.1071.i.i.i, label %B502.preheader.i.i.i, label %B16687.endif.endif.endif....endif.1.i.i
 
 B502.preheader.i.i.i:                             ; preds = %B472.i.i.i
-  %240 = getelementptr i8, ptr %169, i64 %75
-  %scevgep564.i.i = getelementptr i8, ptr %240, i64 8
+  %241 = getelementptr i8, ptr %170, i64 %76
+  %scevgep564.i.i = getelementptr i8, ptr %241, i64 8
   br label %B502.i.i.i
 
 B502.i.i.i:                                       ; preds = %B524.i.i.i, %B502.preheader.i.i.i
   %cut.2.1.i.i.i = phi i64 [ %.1077.i.i.i, %B524.i.i.i ], [ 0, %B502.preheader.i.i.i ]
-  %exitcond366.not.i.i.i = icmp eq i64 %74, %cut.2.1.i.i.i
+  %exitcond366.not.i.i.i = icmp eq i64 %75, %cut.2.1.i.i.i
   br i1 %exitcond366.not.i.i.i, label %B16687.endif.endif.endif....endif.1.i.i, label %B524.i.i.i
 
 B524.i.i.i:                                       ; preds = %B502.i.i.i
   %.1077.i.i.i = add nuw nsw i64 %cut.2.1.i.i.i, 1
-  %sunkaddr44.i.i.i = shl i64 %cut.2.1.i.i.i, 3
-  %scevgep565.i.i = getelementptr i8, ptr %scevgep564.i.i, i64 %sunkaddr44.i.i.i
+  %sunkaddr44.i.i.i76 = shl i64 %cut.2.1.i.i.i, 3
+  %scevgep565.i.i = getelementptr i8, ptr %scevgep564.i.i, i64 %sunkaddr44.i.i.i76
   %.1126.i.i.i = load double, ptr %scevgep565.i.i, align 8, !noalias !170
   %.1130.i.i.i = fmul contract double %.3551.i.i, %.1126.i.i.i
   %.1132.i.i.i = fcmp contract olt double %.1130.i.i.i, %.2279.i.i
@@ -6676,10 +6758,10 @@ B172.if.lr.ph.i.i.i:                              ; preds = %B1596.i.i
   %.762.i.i.i = add i64 %.458.i.i, -1
   %..762.i.i.i = tail call i64 @llvm.smax.i64(i64 %.762.i.i.i, i64 0)
   %xtraiter.i185.i.i = and i64 %..762.i.i.i, 3
-  %241 = and i64 %..762.i.i.i, 9223372036854775804
-  %242 = icmp slt i64 %.762.i.i.i, 1
-  %243 = icmp slt i64 %.762.i.i.i, 4
-  %244 = icmp eq i64 %xtraiter.i185.i.i, 0
+  %242 = and i64 %..762.i.i.i, 9223372036854775804
+  %243 = icmp slt i64 %.762.i.i.i, 1
+  %244 = icmp slt i64 %.762.i.i.i, 4
+  %245 = icmp eq i64 %xtraiter.i185.i.i, 0
   br label %B172.if.i.i.i
 
 B172.if.i.i.i:                                    ; preds = %B172.if.lr.ph.i.i.i, %B294.i.i.i
@@ -6691,13 +6773,13 @@ B172.if.i.i.i:                                    ; preds = %B172.if.lr.ph.i.i.i
   %.688.i.i.i = load <8 x double>, ptr %.686.i187.i.i, align 8, !noalias !170
   %.8.i.i.i2.i = fmul contract <8 x double> %.7.i.i.i.i, %.688.i.i.i
   %.717.i.i.i = tail call <8 x double> @llvm.minnum.v8f64(<8 x double> %.8.i.i.i2.i, <8 x double> %.716.i.i.i)
-  br i1 %242, label %B294.i.i.i, label %B278.if.preheader.i.i.i
+  br i1 %243, label %B294.i.i.i, label %B278.if.preheader.i.i.i
 
 B278.if.preheader.i.i.i:                          ; preds = %B172.if.i.i.i
-  br i1 %243, label %B278.if.epil.i.i.i.preheader, label %B278.if.i.i.i
+  br i1 %244, label %B278.if.epil.i.i.i.preheader, label %B278.if.i.i.i
 
 B278.if.i.i.i:                                    ; preds = %B278.if.preheader.i.i.i, %B278.if.i.i.i
-  %lsr.iv108.i.i = phi i64 [ %lsr.iv.next109.i.i, %B278.if.i.i.i ], [ %241, %B278.if.preheader.i.i.i ]
+  %lsr.iv108.i.i = phi i64 [ %lsr.iv.next109.i.i, %B278.if.i.i.i ], [ %242, %B278.if.preheader.i.i.i ]
   %w.2.1315.i.i.i = phi <8 x double> [ %.6.i15.3.i.i.i, %B278.if.i.i.i ], [ %.717.i.i.i, %B278.if.preheader.i.i.i ]
   %.6.i15.i.i.i = fmul contract <8 x double> %.717.i.i.i, %w.2.1315.i.i.i
   %.6.i15.1.i.i.i = fmul contract <8 x double> %.717.i.i.i, %.6.i15.i.i.i
@@ -6746,7 +6828,7 @@ B16713.if.i.i:                                    ; preds = %B35093.endif.endif.
   %.4238.i.i = sub i64 0, %.3912.i.i
   %.4251.1.i.i = lshr exact i64 %.4238.i.i, 4
   %.4299.i.i = and i64 %.4251.1.i.i, 3
-  %_places_v436__vphi458_2.2.1.i.i = select i1 %or.cond3970.i.i, i64 %.4299.i.i, i64 -1
+  %_places_v437__vphi458_2.2.1.i.i = select i1 %or.cond3970.i.i, i64 %.4299.i.i, i64 -1
   %.4427.i.i = icmp ne i64 %.372740204029.i.i, 0
   %or.cond5.i.i = or i1 %.595.inv.i.i.i, %.4427.i.i
   br i1 %or.cond5.i.i, label %B17881.i.i, label %B34.if.preheader.i70.i.i
@@ -6754,82 +6836,82 @@ B16713.if.i.i:                                    ; preds = %B35093.endif.endif.
 B17881.endif.i.i:                                 ; preds = %B35378.endif.endif.endif.endif.endif.endif.endif.i.i.i
   br i1 %.1496.not.i.i.i, label %B18141.i.i, label %B35093.i.i
 
-B48.if.preheader.i209.i.i:                        ; preds = %_ZN17bnserve_surrogate8tangents7_points10write_modeB4v502B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
-  br i1 %99, label %B48.if.prol.loopexit.i224.i.i, label %B48.if.prol.i214.preheader.i.i
+B48.if.preheader.i209.i.i:                        ; preds = %_ZN17bnserve_surrogate8tangents7_points10write_modeB4v503B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  br i1 %100, label %B48.if.prol.loopexit.i224.i.i, label %B48.if.prol.i214.preheader.i.i
 
 B48.if.prol.i214.preheader.i.i:                   ; preds = %B48.if.preheader.i209.i.i
-  %scevgep555.i.i = getelementptr i8, ptr %209, i64 %85
+  %scevgep555.i.i = getelementptr i8, ptr %210, i64 %86
   br label %B48.if.prol.i214.i.i
 
 B48.if.prol.i214.i.i:                             ; preds = %B48.if.prol.i214.i.i, %B48.if.prol.i214.preheader.i.i
   %lsr.iv553.i.i = phi i64 [ 0, %B48.if.prol.i214.preheader.i.i ], [ %lsr.iv.next554.i.i, %B48.if.prol.i214.i.i ]
-  %245 = add i64 %lsr.iv553.i.i, %.20.i210.i.i
-  %.154.prol.i218.i.i = icmp slt i64 %245, 0
-  %246 = select i1 %.154.prol.i218.i.i, i64 %.4062.i.i, i64 0
-  %scevgep556.i.i = getelementptr i8, ptr %scevgep555.i.i, i64 %246
-  %247 = shl i64 %lsr.iv553.i.i, 3
-  %scevgep111.i.i = getelementptr i8, ptr %scevgep556.i.i, i64 %247
+  %246 = add i64 %lsr.iv553.i.i, %.20.i210.i.i
+  %.154.prol.i218.i.i = icmp slt i64 %246, 0
+  %247 = select i1 %.154.prol.i218.i.i, i64 %.4062.i.i, i64 0
+  %scevgep556.i.i = getelementptr i8, ptr %scevgep555.i.i, i64 %247
+  %248 = shl i64 %lsr.iv553.i.i, 3
+  %scevgep111.i.i = getelementptr i8, ptr %scevgep556.i.i, i64 %248
   store double 0.000000e+00, ptr %scevgep111.i.i, align 8, !noalias !173
   %lsr.iv.next554.i.i = add nuw nsw i64 %lsr.iv553.i.i, 1
-  %prol.iter.cmp.not.i222.i.i = icmp eq i64 %84, %lsr.iv.next554.i.i
+  %prol.iter.cmp.not.i222.i.i = icmp eq i64 %85, %lsr.iv.next554.i.i
   br i1 %prol.iter.cmp.not.i222.i.i, label %B48.if.prol.loopexit.loopexit.i223.i.i, label %B48.if.prol.i214.i.i, !llvm.loop !168
 
 B48.if.prol.loopexit.loopexit.i223.i.i:           ; preds = %B48.if.prol.i214.i.i
-  %248 = sub i64 %83, %lsr.iv.next554.i.i
-  %249 = add i64 %lsr.iv.next554.i.i, %.20.i210.i.i
+  %249 = sub i64 %84, %lsr.iv.next554.i.i
+  %250 = add i64 %lsr.iv.next554.i.i, %.20.i210.i.i
   br label %B48.if.prol.loopexit.i224.i.i
 
 B48.if.prol.loopexit.i224.i.i:                    ; preds = %B48.if.prol.loopexit.loopexit.i223.i.i, %B48.if.preheader.i209.i.i
-  %.1025458.unr.i225.i.i = phi i64 [ %.58.i207.i.i, %B48.if.preheader.i209.i.i ], [ %248, %B48.if.prol.loopexit.loopexit.i223.i.i ]
-  %.1095557.unr.i226.i.i = phi i64 [ %.20.i210.i.i, %B48.if.preheader.i209.i.i ], [ %249, %B48.if.prol.loopexit.loopexit.i223.i.i ]
-  br i1 %101, label %B35093.endif.endif.endif.endif.i.i, label %B48.if.preheader1.i227.i.i
+  %.1025458.unr.i225.i.i = phi i64 [ %.58.i207.i.i, %B48.if.preheader.i209.i.i ], [ %249, %B48.if.prol.loopexit.loopexit.i223.i.i ]
+  %.1095557.unr.i226.i.i = phi i64 [ %.20.i210.i.i, %B48.if.preheader.i209.i.i ], [ %250, %B48.if.prol.loopexit.loopexit.i223.i.i ]
+  br i1 %102, label %B35093.endif.endif.endif.endif.i.i, label %B48.if.preheader1.i227.i.i
 
 B48.if.preheader1.i227.i.i:                       ; preds = %B48.if.prol.loopexit.i224.i.i
-  %250 = add i64 %.1025458.unr.i225.i.i, 4
-  %251 = shl i64 %.1095557.unr.i226.i.i, 3
-  %scevgep112.i.i = getelementptr i8, ptr %209, i64 %251
+  %251 = add i64 %.1025458.unr.i225.i.i, 4
+  %252 = shl i64 %.1095557.unr.i226.i.i, 3
+  %scevgep112.i.i = getelementptr i8, ptr %210, i64 %252
   br label %B48.if.i228.i.i
 
 B48.if.i228.i.i:                                  ; preds = %B48.if.i228.i.i, %B48.if.preheader1.i227.i.i
   %lsr.iv113.i.i = phi ptr [ %scevgep114.i.i, %B48.if.i228.i.i ], [ %scevgep112.i.i, %B48.if.preheader1.i227.i.i ]
-  %lsr.iv.i229.i.i = phi i64 [ %lsr.iv.next.i246.i.i, %B48.if.i228.i.i ], [ %250, %B48.if.preheader1.i227.i.i ]
-  %.1095557.i230.i.i = phi i64 [ %259, %B48.if.i228.i.i ], [ %.1095557.unr.i226.i.i, %B48.if.preheader1.i227.i.i ]
+  %lsr.iv.i229.i.i = phi i64 [ %lsr.iv.next.i246.i.i, %B48.if.i228.i.i ], [ %251, %B48.if.preheader1.i227.i.i ]
+  %.1095557.i230.i.i = phi i64 [ %260, %B48.if.i228.i.i ], [ %.1095557.unr.i226.i.i, %B48.if.preheader1.i227.i.i ]
   %.154.i231.i.i = icmp slt i64 %.1095557.i230.i.i, 0
-  %252 = select i1 %.154.i231.i.i, i64 %.4062.i.i, i64 0
-  %scevgep118.i.i = getelementptr i8, ptr %lsr.iv113.i.i, i64 %252
+  %253 = select i1 %.154.i231.i.i, i64 %.4062.i.i, i64 0
+  %scevgep118.i.i = getelementptr i8, ptr %lsr.iv113.i.i, i64 %253
   store double 0.000000e+00, ptr %scevgep118.i.i, align 8, !noalias !173
-  %253 = add i64 %.1095557.i230.i.i, 1
-  %.154.1.i234.i.i = icmp slt i64 %253, 0
-  %254 = select i1 %.154.1.i234.i.i, i64 %86, i64 8
-  %scevgep117.i.i = getelementptr i8, ptr %lsr.iv113.i.i, i64 %254
+  %254 = add i64 %.1095557.i230.i.i, 1
+  %.154.1.i234.i.i = icmp slt i64 %254, 0
+  %255 = select i1 %.154.1.i234.i.i, i64 %87, i64 8
+  %scevgep117.i.i = getelementptr i8, ptr %lsr.iv113.i.i, i64 %255
   store double 0.000000e+00, ptr %scevgep117.i.i, align 8, !noalias !173
-  %255 = add i64 %.1095557.i230.i.i, 2
-  %.154.2.i238.i.i = icmp slt i64 %255, 0
-  %256 = select i1 %.154.2.i238.i.i, i64 %87, i64 16
-  %scevgep116.i.i = getelementptr i8, ptr %lsr.iv113.i.i, i64 %256
+  %256 = add i64 %.1095557.i230.i.i, 2
+  %.154.2.i238.i.i = icmp slt i64 %256, 0
+  %257 = select i1 %.154.2.i238.i.i, i64 %88, i64 16
+  %scevgep116.i.i = getelementptr i8, ptr %lsr.iv113.i.i, i64 %257
   store double 0.000000e+00, ptr %scevgep116.i.i, align 8, !noalias !173
-  %257 = add i64 %.1095557.i230.i.i, 3
-  %.154.3.i242.i.i = icmp slt i64 %257, 0
-  %258 = select i1 %.154.3.i242.i.i, i64 %88, i64 24
-  %scevgep115.i.i = getelementptr i8, ptr %lsr.iv113.i.i, i64 %258
+  %258 = add i64 %.1095557.i230.i.i, 3
+  %.154.3.i242.i.i = icmp slt i64 %258, 0
+  %259 = select i1 %.154.3.i242.i.i, i64 %89, i64 24
+  %scevgep115.i.i = getelementptr i8, ptr %lsr.iv113.i.i, i64 %259
   store double 0.000000e+00, ptr %scevgep115.i.i, align 8, !noalias !173
   %lsr.iv.next.i246.i.i = add i64 %lsr.iv.i229.i.i, -4
   %scevgep114.i.i = getelementptr i8, ptr %lsr.iv113.i.i, i64 32
   %.103.3.i247.i.i = icmp sgt i64 %lsr.iv.next.i246.i.i, 4
-  %259 = add i64 %.1095557.i230.i.i, 4
+  %260 = add i64 %.1095557.i230.i.i, 4
   br i1 %.103.3.i247.i.i, label %B48.if.i228.i.i, label %B35093.endif.endif.endif.endif.i.i
 
-B35093.endif.endif.endif.endif.i.i:               ; preds = %B48.if.i228.i.i, %B48.if.prol.loopexit.i224.i.i, %_ZN17bnserve_surrogate8tangents7_points10write_modeB4v502B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+B35093.endif.endif.endif.endif.i.i:               ; preds = %B48.if.i228.i.i, %B48.if.prol.loopexit.i224.i.i, %_ZN17bnserve_surrogate8tangents7_points10write_modeB4v503B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
   %exitcond.not.i7.i = icmp eq i64 %.3734.i.i, 6
-  br i1 %exitcond.not.i7.i, label %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v431B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i, label %B16713.if.i.i
+  br i1 %exitcond.not.i7.i, label %_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v432B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i, label %B16713.if.i.i
 
-_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v431B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i: ; preds = %B35093.endif.endif.endif.endif.i.i, %B1338.endif.endif.endif.endif.i.i
+_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v432B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit.i: ; preds = %B35093.endif.endif.endif.endif.i.i, %B1338.endif.endif.endif.endif.i.i
   %lsr.iv.next194.i = add i64 %lsr.iv193.i, -1
   %lsr.iv.next196.i = add i64 %lsr.iv195.i, 72
   %.2774.i = icmp sgt i64 %lsr.iv.next194.i, 1
   br i1 %.2774.i, label %B1402.if.i, label %B932.loopexit.i
 
-_ZN17bnserve_surrogate8tangents4_row6_orderB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit: ; preds = %B932.loopexit.i, %B904.i56, %for.end.1.endif.if.i51
+_ZN17bnserve_surrogate8tangents4_row6_orderB4v579B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit: ; preds = %B932.loopexit.i, %B904.i56, %for.end.1.endif.if.i51
   %excinfo.7.1 = phi ptr [ %.1188.i52, %for.end.1.endif.if.i51 ], [ %excinfo.7.0, %B904.i56 ], [ %excinfo.7.0, %B932.loopexit.i ]
   %common.ret.op.i53 = phi i32 [ 1, %for.end.1.endif.if.i51 ], [ 0, %B904.i56 ], [ 0, %B932.loopexit.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.1098.i7)
@@ -6852,8 +6934,8 @@ B744:                                             ; preds = %B204
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
-B0.if:                                            ; preds = %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
-  %excinfo.2.0.i = phi ptr [ %excinfo.3.0.i.i, %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %excinfo.1.1.i.i.i, %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i ]
+B0.if:                                            ; preds = %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i, %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i
+  %excinfo.2.0.i = phi ptr [ %excinfo.3.0.i.i, %_ZN17bnserve_surrogate8tangents7_series19fill_phase_tangentsB4v182B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i.i ], [ %excinfo.1.1.i.i.i, %_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE.exit.i.i.i ]
   store ptr %excinfo.2.0.i, ptr %excinfo, align 8
   br label %common.ret
 
@@ -6865,19 +6947,19 @@ B0.endif:                                         ; preds = %B368.endif.i.i.i
   %.398 = icmp eq i64 %.394, 0
   br i1 %.398, label %B150, label %B204
 
-B150.if:                                          ; preds = %_ZN17bnserve_surrogate8tangents4_row6_orderB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
+B150.if:                                          ; preds = %_ZN17bnserve_surrogate8tangents4_row6_orderB4v202B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
   store ptr %excinfo.2.0, ptr %excinfo, align 8
   br label %common.ret
 
-B150.endif:                                       ; preds = %_ZN17bnserve_surrogate8tangents4_row6_orderB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
+B150.endif:                                       ; preds = %_ZN17bnserve_surrogate8tangents4_row6_orderB4v202B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
   store ptr null, ptr %retptr, align 8
   br label %common.ret
 
-B652.if:                                          ; preds = %_ZN17bnserve_surrogate8tangents4_row6_orderB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
+B652.if:                                          ; preds = %_ZN17bnserve_surrogate8tangents4_row6_orderB4v579B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
   store ptr %excinfo.7.1, ptr %excinfo, align 8
   br label %common.ret
 
-B652.endif:                                       ; preds = %_ZN17bnserve_surrogate8tangents4_row6_orderB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
+B652.endif:                                       ; preds = %_ZN17bnserve_surrogate8tangents4_row6_orderB4v579B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29.exit
   %.1259 = load i64, ptr %.582, align 8
   %.1260 = icmp slt i64 %last.3.2, %.1259
   br i1 %.1260, label %B336, label %B740
@@ -7068,7 +7150,7 @@ B2000:                                            ; preds = %B884.if
   store double %.2468, ptr %5, align 8
   br label %for.end.2
 
-B5945:                                            ; preds = %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit
+B5945:                                            ; preds = %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit
   %.3993 = getelementptr i8, ptr %arg.state.6.4, i64 56
   %.3994 = load double, ptr %.3993, align 8
   %.4001 = fdiv contract double 1.000000e+00, %.3994
@@ -7083,9 +7165,9 @@ B5945:                                            ; preds = %_ZN17bnserve_surrog
   store ptr null, ptr %retptr, align 8
   ret void
 
-B884.if:                                          ; preds = %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit, %entry
-  %lsr.iv = phi ptr [ %scevgep416, %entry ], [ %scevgep417, %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit ]
-  %.1049.0 = phi i64 [ 0, %entry ], [ %.1118, %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit ]
+B884.if:                                          ; preds = %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit, %entry
+  %lsr.iv = phi ptr [ %scevgep416, %entry ], [ %scevgep417, %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit ]
+  %.1049.0 = phi i64 [ 0, %entry ], [ %.1118, %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit ]
   %.1118 = add nuw nsw i64 %.1049.0, 1
   %.1251 = mul nsw i64 %.1250, %.1049.0
   %.1265 = getelementptr inbounds double, ptr %arg.state.8.0.4, i64 %.1251
@@ -7312,7 +7394,7 @@ B158.i:                                           ; preds = %B44.if.i
 
 B309.i:                                           ; preds = %B44.if.i, %B158.i
   %exitcond.not.i = icmp eq i64 %.132.i, 16
-  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit, label %B44.if.i
+  br i1 %exitcond.not.i, label %_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit, label %B44.if.i
 
 B44.if.i:                                         ; preds = %B309.i, %for.end.2
   %.125233235.i = phi i64 [ %.132.i, %B309.i ], [ 0, %for.end.2 ]
@@ -7331,7 +7413,7 @@ B44.if.i:                                         ; preds = %B309.i, %for.end.2
   %or.cond.i = icmp ult i64 %12, 7
   br i1 %or.cond.i, label %B158.i, label %B309.i
 
-_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B309.i
+_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B309.i
   %.433.i = load double, ptr %sunkaddr35, align 8, !noalias !179
   %.466.i = load double, ptr %sunkaddr476, align 8, !noalias !179
   %.467.i = fmul contract double %.466.i, 2.000000e+00
@@ -7690,7 +7772,7 @@ B1050.i:                                          ; preds = %B356.i, %B308.i
   %.1981.inv.i = icmp slt i64 %.1980.i, 1
   %.20231107.not1113.i = icmp eq i64 %.2002.i, 0
   %.20231107.not.i = or i1 %.1981.inv.i, %.20231107.not1113.i
-  br i1 %.20231107.not.i, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v387B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1094.if.lr.ph.i
+  br i1 %.20231107.not.i, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1094.if.lr.ph.i
 
 B1094.if.lr.ph.i:                                 ; preds = %B1050.i
   %.2077.i = fdiv contract double 1.000000e+00, %.2221
@@ -7715,7 +7797,7 @@ B1094.if.prol.loopexit.i:                         ; preds = %B1094.if.prol.i, %B
   %.202211051109.unr.i = phi i64 [ %.2002.i, %B1094.if.lr.ph.i ], [ %.2032.prol.i, %B1094.if.prol.i ]
   %.202911061108.unr.i = phi i64 [ %.13.i479, %B1094.if.lr.ph.i ], [ %.2036.prol.i, %B1094.if.prol.i ]
   %11 = icmp eq i64 %.2002.i, 1
-  br i1 %11, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v387B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1094.if.preheader.i
+  br i1 %11, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B1094.if.preheader.i
 
 B1094.if.preheader.i:                             ; preds = %B1094.if.prol.loopexit.i
   %12 = shl i64 %.202911061108.unr.i, 3
@@ -7789,9 +7871,9 @@ B1094.if.i:                                       ; preds = %B1094.if.i, %B1094.
   %lsr.iv.next478.i = add i64 %lsr.iv477.i, 128
   %lsr.iv.next.i = add nsw i64 %lsr.iv.i, -2
   %.2023.1.i = icmp sgt i64 %lsr.iv.i, 16
-  br i1 %.2023.1.i, label %B1094.if.i, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v387B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.2023.1.i, label %B1094.if.i, label %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
-_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v387B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1094.if.i, %B1050.i, %B1094.if.prol.loopexit.i
+_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1094.if.i, %B1050.i, %B1094.if.prol.loopexit.i
   %.2312 = getelementptr i8, ptr %arg.state.1.4, i64 112
   %.2313 = load i64, ptr %.2312, align 8
   %.2329 = getelementptr inbounds double, ptr %arg.state.2.4, i64 %.2313
@@ -7922,10 +8004,10 @@ _ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v387B86c8tJTIeFIjxB2IKSgI4
   %46 = icmp eq i64 %.6589, %.neg.i
   br label %B1776
 
-B1776:                                            ; preds = %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v387B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B36719
-  %.2691.sroa.0.0344 = phi i64 [ %arg.sets.0, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v387B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.2691.sroa.0.0, %B36719 ]
-  %.2648.1343 = phi i64 [ %.2648.1340, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v387B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.2648.1, %B36719 ]
-  %.2645.1342 = phi i64 [ %.2645.1339, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v387B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.2645.1, %B36719 ]
+B1776:                                            ; preds = %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B36719
+  %.2691.sroa.0.0344 = phi i64 [ %arg.sets.0, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.2691.sroa.0.0, %B36719 ]
+  %.2648.1343 = phi i64 [ %.2648.1340, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.2648.1, %B36719 ]
+  %.2645.1342 = phi i64 [ %.2645.1339, %_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.2645.1, %B36719 ]
   %.2882 = icmp eq i64 %.2691.sroa.0.0344, 0
   %47 = mul i64 %.2691.sroa.0.0344, 1088
   %48 = getelementptr i8, ptr %arg.state.15.4, i64 %47
@@ -8014,7 +8096,7 @@ select.true.sink.i.i.i:                           ; preds = %B94.i8.i
   %.53.i.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i.i, double %.52.i.i.i, double 0x3FA5555555555555)
   %.54.i.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i.i, double %.53.i.i.i, double -5.000000e-01)
   %.55.i.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i.i, double %.54.i.i.i, double 1.000000e+00)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v398B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v399B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i
 
 select.false.sink.i.i.i:                          ; preds = %B94.i8.i
   %.46.i.i.i = fmul contract double %.38.i.i.i, %.39.i.i.i
@@ -8025,9 +8107,9 @@ select.false.sink.i.i.i:                          ; preds = %B94.i8.i
   %.44.i.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i.i, double %.43.i.i.i, double 0x3F81111111111111)
   %.45.i.i.i = tail call contract double @llvm.fma.f64(double %.39.i.i.i, double %.44.i.i.i, double 0xBFC5555555555555)
   %.47.i.i.i = tail call contract double @llvm.fma.f64(double %.46.i.i.i, double %.45.i.i.i, double %.38.i.i.i)
-  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v398B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i
+  br label %_ZN17bnserve_surrogate6kernel7_points4stepB4v399B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i
 
-_ZN17bnserve_surrogate6kernel7_points4stepB4v398B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i: ; preds = %select.false.sink.i.i.i, %select.true.sink.i.i.i
+_ZN17bnserve_surrogate6kernel7_points4stepB4v399B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i: ; preds = %select.false.sink.i.i.i, %select.true.sink.i.i.i
   %.71.v.i.i.i = phi double [ %.55.i.i.i, %select.true.sink.i.i.i ], [ %.47.i.i.i, %select.false.sink.i.i.i ]
   %.65.i.i.i = shl i64 %.56.i.i.i, 62
   %.66.i.i.i = add i64 %.65.i.i.i, 4611686018427387904
@@ -8039,8 +8121,8 @@ _ZN17bnserve_surrogate6kernel7_points4stepB4v398B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MM
   %.266.i.i = fmul contract double %.761.i, %.89.i.i.i
   br label %B144.i.i
 
-B144.i.i:                                         ; preds = %B34.if.i1.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v398B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i
-  %"$phi144.1.2.1.i.i" = phi double [ %.266.i.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v398B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i ], [ 0.000000e+00, %B34.if.i1.i ]
+B144.i.i:                                         ; preds = %B34.if.i1.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v399B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i
+  %"$phi144.1.2.1.i.i" = phi double [ %.266.i.i, %_ZN17bnserve_surrogate6kernel7_points4stepB4v399B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEd.exit.i.i ], [ 0.000000e+00, %B34.if.i1.i ]
   %scevgep35 = getelementptr i8, ptr %"$1532call.6.2.sroa.32.1", i64 %56
   store double %"$phi144.1.2.1.i.i", ptr %scevgep35, align 8, !noalias !194
   %.314.i.i = fsub contract double %.218.i.i, %.3625
@@ -8267,8 +8349,8 @@ B412.if.i:                                        ; preds = %B412.if.i, %B412.if
   br i1 %.350.i, label %B412.if.i, label %B612.i
 
 B2320:                                            ; preds = %B926.i, %B612.i605, %B2308.endif, %B2078
-  %fill_residuals_v527_cell_a.2.1 = phi i64 [ %cell.5.1.i362, %B612.i605 ], [ %arg.cells.0, %B2078 ], [ %cell.5.1.i362, %B2308.endif ], [ %arg.cells.0, %B926.i ]
-  %fill_residuals_v527_cell_p.3.1 = phi i64 [ %cell.3.2.i561, %B612.i605 ], [ %arg.cells.1, %B2078 ], [ %arg.cells.1, %B2308.endif ], [ %cell.3.2.i, %B926.i ]
+  %fill_residuals_v528_cell_a.2.1 = phi i64 [ %cell.5.1.i362, %B612.i605 ], [ %arg.cells.0, %B2078 ], [ %cell.5.1.i362, %B2308.endif ], [ %arg.cells.0, %B926.i ]
+  %fill_residuals_v528_cell_p.3.1 = phi i64 [ %cell.3.2.i561, %B612.i605 ], [ %arg.cells.1, %B2078 ], [ %arg.cells.1, %B2308.endif ], [ %cell.3.2.i, %B926.i ]
   br i1 %.2882, label %B2382, label %B2772
 
 B2382:                                            ; preds = %B2320
@@ -8576,9 +8658,9 @@ B36719:                                           ; preds = %B36.if.i, %B36402.e
   br i1 %.2701, label %B1776, label %B36721
 
 B36721:                                           ; preds = %B36719
-  store i64 %fill_residuals_v527_cell_a.2.1, ptr %retptr, align 8
+  store i64 %fill_residuals_v528_cell_a.2.1, ptr %retptr, align 8
   %retptr.repack5651 = getelementptr inbounds nuw i8, ptr %retptr, i64 8
-  store i64 %fill_residuals_v527_cell_p.3.1, ptr %retptr.repack5651, align 8
+  store i64 %fill_residuals_v528_cell_p.3.1, ptr %retptr.repack5651, align 8
   ret void
 
 B2308.endif:                                      ; preds = %B612.i, %B2308
@@ -9049,14 +9131,14 @@ B16011:                                           ; preds = %B8206.if, %B34.if.e
   %34 = getelementptr i8, ptr %arg.state.15.4, i64 %.idx
   %.1569 = getelementptr i8, ptr %34, i64 9792
   %.1663 = getelementptr i8, ptr %34, i64 16320
-  br i1 %.103.i, label %B20.i, label %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.103.i, label %B20.i, label %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B20.i:                                            ; preds = %B16011, %B16194.i
   %j.2.0.i = phi i64 [ %.704.i, %B16194.i ], [ 0, %B16011 ]
   %.110.i = sub nsw i64 %.1482, %j.2.0.i
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.110.i, i64 8)
-  %.150.i = icmp slt i64 %j.2.0.i, %_carrier_v415__places_v420__vphi458_2.2.1
-  %.13.i17.i = tail call i64 @llvm.smin.i64(i64 range(i64 -1, 4) %_carrier_v415__places_v420__vphi458_2.2.1, i64 %.13.i.i)
+  %.150.i = icmp slt i64 %j.2.0.i, %_carrier_v416__places_v421__vphi458_2.2.1
+  %.13.i17.i = tail call i64 @llvm.smin.i64(i64 range(i64 -1, 4) %_carrier_v416__places_v421__vphi458_2.2.1, i64 %.13.i.i)
   %size.2.1.i = select i1 %.150.i, i64 %.13.i17.i, i64 %.13.i.i
   %.201.i = getelementptr inbounds double, ptr %.511, i64 %j.2.0.i
   %.203.i = load <8 x double>, ptr %.201.i, align 8, !noalias !224
@@ -9113,7 +9195,7 @@ B16182.i:                                         ; preds = %B16140.i
 B16194.i:                                         ; preds = %B452.if.6.i, %B452.if.5.i, %B452.if.4.i, %B452.if.3.i, %B452.if.2.i, %B452.if.1.i, %B16182.i, %B16178.i, %B452.if.lr.ph.i, %B448.i
   %.704.i = add nsw i64 %size.2.1.i, %j.2.0.i
   %.710.i = icmp slt i64 %.704.i, %.1482
-  br i1 %.710.i, label %B20.i, label %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit
+  br i1 %.710.i, label %B20.i, label %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B452.if.1.i:                                      ; preds = %B452.if.lr.ph.i
   %.584.11.i = load double, ptr %sunkaddr4.i, align 8, !noalias !224
@@ -9198,7 +9280,7 @@ B452.if.6.i:                                      ; preds = %B452.if.5.i
   store double %.584.1.6.i, ptr %scevgep27.6.i, align 8, !noalias !224
   br label %B16194.i
 
-_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B16194.i, %B16011
+_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B16194.i, %B16011
   br i1 %16, label %B16011.endif.endif.endif.endif, label %B48.if.preheader.i
 
 B16037:                                           ; preds = %B16011.endif.endif.endif.endif
@@ -9230,12 +9312,12 @@ B8206.if:                                         ; preds = %B16011.endif.endif.
   %.1288 = sub i64 0, %.962
   %.1301.1 = lshr exact i64 %.1288, 4
   %.1349 = and i64 %.1301.1, 3
-  %_carrier_v415__places_v420__vphi458_2.2.1 = select i1 %or.cond, i64 %.1349, i64 -1
+  %_carrier_v416__places_v421__vphi458_2.2.1 = select i1 %or.cond, i64 %.1349, i64 -1
   %.1477 = icmp ne i64 %.77711351143, 0
   %or.cond2 = select i1 %.1477, i1 true, i1 %15
   br i1 %or.cond2, label %B16011, label %B34.if.preheader.i
 
-B48.if.preheader.i:                               ; preds = %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit
+B48.if.preheader.i:                               ; preds = %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit
   br i1 %24, label %B48.if.prol.loopexit.i, label %B48.if.prol.i.preheader
 
 B48.if.prol.i.preheader:                          ; preds = %B48.if.preheader.i
@@ -9300,7 +9382,7 @@ B48.if.i:                                         ; preds = %B48.if.i, %B48.if.p
   %63 = add i64 %.1095557.i, 4
   br i1 %.103.3.i, label %B48.if.i, label %B16011.endif.endif.endif.endif
 
-B16011.endif.endif.endif.endif:                   ; preds = %B48.if.i, %B48.if.prol.loopexit.i, %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit
+B16011.endif.endif.endif.endif:                   ; preds = %B48.if.i, %B48.if.prol.loopexit.i, %_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit
   %exitcond.not = icmp eq i64 %.784, 6
   br i1 %exitcond.not, label %B16037, label %B8206.if
 }
@@ -9341,7 +9423,7 @@ entry:
   %cond.i = icmp eq i32 %.1171.i, 0
   br i1 %cond.i, label %B0.endif.endif.endif.endif.endif.endif.i, label %B0.endif.endif.endif.endif.endif.if.i, !prof !20
 
-B820.i:                                           ; preds = %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B820.i:                                           ; preds = %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %0 = getelementptr double, ptr %.2134.i, i64 %.1970.i
   %.2203.i = getelementptr i8, ptr %0, i64 -8
   %.2204.i = load double, ptr %.2203.i, align 8, !noalias !231
@@ -9351,8 +9433,8 @@ B820.i:                                           ; preds = %_ZN17bnserve_surrog
   %.2220.i = fdiv contract double %.2216.i, %.2214.i
   br label %B4878.i
 
-B4878.i:                                          ; preds = %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B820.i
-  %prepared_grid_v249__vphi308_0.2.0.i = phi double [ %.2220.i, %B820.i ], [ 0.000000e+00, %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+B4878.i:                                          ; preds = %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B820.i
+  %prepared_grid_v250__vphi308_0.2.0.i = phi double [ %.2220.i, %B820.i ], [ 0.000000e+00, %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %.2260.i = getelementptr i8, ptr %arg.state.0.4, i64 48
   %.2261.i = load i64, ptr %.2260.i, align 8, !noalias !231
   %.2269.i = inttoptr i64 %.2261.i to ptr
@@ -9362,7 +9444,7 @@ B4878.i:                                          ; preds = %_ZN17bnserve_surrog
   %.2573.le.i = tail call contract double @llvm.log.f64(double %.2565.i)
   %.2578.i = fsub contract double %.2573.le.i, %.2478.le.i
   store i64 0, ptr %.2624.i, align 8, !noalias !231
-  call fastcc void @inner_8(ptr nonnull %.2624.i, ptr %.2134.i, i64 %.1970.i, ptr %.2269.i, i64 %.2030.i, double %prepared_grid_v249__vphi308_0.2.0.i, double %.2578.i)
+  call fastcc void @inner_8(ptr nonnull %.2624.i, ptr %.2134.i, i64 %.1970.i, ptr %.2269.i, i64 %.2030.i, double %prepared_grid_v250__vphi308_0.2.0.i, double %.2578.i)
   %.2642.i = load i64, ptr %.2624.i, align 8, !noalias !231
   %.2714.i = getelementptr i8, ptr %.350.i, i64 8
   %.2715.i = load double, ptr %.2714.i, align 8, !noalias !231
@@ -9370,16 +9452,16 @@ B4878.i:                                          ; preds = %_ZN17bnserve_surrog
   %.2728.le.i = tail call contract double @llvm.log.f64(double %.2720.i)
   %.2733.i = fsub contract double %.2728.le.i, %.2478.le.i
   store i64 0, ptr %.2779.i, align 8, !noalias !231
-  call fastcc void @inner_8(ptr nonnull %.2779.i, ptr %.2134.i, i64 %.1970.i, ptr %.2269.i, i64 %.2030.i, double %prepared_grid_v249__vphi308_0.2.0.i, double %.2733.i)
+  call fastcc void @inner_8(ptr nonnull %.2779.i, ptr %.2134.i, i64 %.1970.i, ptr %.2269.i, i64 %.2030.i, double %prepared_grid_v250__vphi308_0.2.0.i, double %.2733.i)
   %.2797.i = load i64, ptr %.2779.i, align 8, !noalias !231
   %.2854.i = fsub contract double 0xC0126BB1BBB55515, %.2478.le.i
   store i64 0, ptr %.2900.i, align 8, !noalias !231
-  call fastcc void @inner_8(ptr nonnull %.2900.i, ptr %.2134.i, i64 %.1970.i, ptr %.2269.i, i64 %.2030.i, double %prepared_grid_v249__vphi308_0.2.0.i, double %.2854.i)
+  call fastcc void @inner_8(ptr nonnull %.2900.i, ptr %.2134.i, i64 %.1970.i, ptr %.2269.i, i64 %.2030.i, double %prepared_grid_v250__vphi308_0.2.0.i, double %.2854.i)
   %.2918.i = load i64, ptr %.2900.i, align 8, !noalias !231
   %.13.i.i = tail call i64 @llvm.smin.i64(i64 %.2797.i, i64 %.2918.i)
   %.3013.i = fsub contract double 0xC00F4BD2B7AC1BAF, %.2478.le.i
   store i64 0, ptr %.3059.i, align 8, !noalias !231
-  call fastcc void @inner_8(ptr nonnull %.3059.i, ptr %.2134.i, i64 %.1970.i, ptr %.2269.i, i64 %.2030.i, double %prepared_grid_v249__vphi308_0.2.0.i, double %.3013.i)
+  call fastcc void @inner_8(ptr nonnull %.3059.i, ptr %.2134.i, i64 %.1970.i, ptr %.2269.i, i64 %.2030.i, double %prepared_grid_v250__vphi308_0.2.0.i, double %.3013.i)
   %.3077.i = load i64, ptr %.3059.i, align 8, !noalias !231
   %.13.i56.i = tail call i64 @llvm.smin.i64(i64 %.2797.i, i64 %.3077.i)
   %.3246.i = getelementptr i8, ptr %arg.state.1.4, i64 120
@@ -9393,9 +9475,9 @@ B4878.i:                                          ; preds = %_ZN17bnserve_surrog
   %.181.i.i = icmp slt i64 %.3349.i, 3
   %..143.i.i = select i1 %.181.i.i, i64 0, i64 %.143.i.i
   %.225207.i.i = icmp sgt i64 %..143.i.i, 0
-  br i1 %.225207.i.i, label %B92.if.preheader.i.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i
+  br i1 %.225207.i.i, label %B92.if.preheader.i.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i
 
-B4956.i:                                          ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i
+B4956.i:                                          ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i
   %.3494.i = getelementptr i8, ptr %arg.state.1.4, i64 112
   %.3495.i = load i64, ptr %.3494.i, align 8, !noalias !231
   %2 = getelementptr double, ptr %arg.state.2.4, i64 %.3495.i
@@ -9407,11 +9489,11 @@ B4956.i:                                          ; preds = %_ZN17bnserve_surrog
   %.181.i65.i = icmp slt i64 %.3597.i, 3
   %..143.i66.i = select i1 %.181.i65.i, i64 0, i64 %.143.i64.i
   %.225207.i67.i = icmp sgt i64 %..143.i66.i, 0
-  br i1 %.225207.i67.i, label %B92.if.preheader.i71.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i
+  br i1 %.225207.i67.i, label %B92.if.preheader.i71.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i
 
 B0.endif.endif.endif.endif.endif.if.i:            ; preds = %entry
   %.1172.i = load ptr, ptr %excinfo.6.i, align 8, !noalias !231
-  br label %_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v232B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit
+  br label %_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v233B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit
 
 B0.endif.endif.endif.endif.endif.endif.i:         ; preds = %entry
   %.1181.i = load double, ptr %.1157.i, align 8, !noalias !231
@@ -9489,7 +9571,7 @@ B158.i.i.i:                                       ; preds = %B44.if.i.i.i
 
 B309.i.i.i:                                       ; preds = %B44.if.i.i.i, %B158.i.i.i
   %exitcond.not.i.i.i = icmp eq i64 %.132.i.i.i, 16
-  br i1 %exitcond.not.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B44.if.i.i.i
+  br i1 %exitcond.not.i.i.i, label %_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B44.if.i.i.i
 
 B44.if.i.i.i:                                     ; preds = %B309.i.i.i, %B0.endif.endif.endif.endif.endif.endif.i
   %.125233235.i.i.i = phi i64 [ %.132.i.i.i, %B309.i.i.i ], [ 0, %B0.endif.endif.endif.endif.endif.endif.i ]
@@ -9508,7 +9590,7 @@ B44.if.i.i.i:                                     ; preds = %B309.i.i.i, %B0.end
   %or.cond.i.i.i = icmp ult i64 %20, 7
   br i1 %or.cond.i.i.i, label %B158.i.i.i, label %B309.i.i.i
 
-_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B309.i.i.i
+_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B309.i.i.i
   %.338.i.i = fmul contract double %arg.mass, %.331.i.i
   %.341.i.i = fsub contract double 0.000000e+00, %.338.i.i
   %.432.i.i.i = getelementptr i8, ptr %arg.state.11.4, i64 1944
@@ -9553,7 +9635,7 @@ B92.if.preheader.i.i:                             ; preds = %B4878.i
 
 B146.i.i:                                         ; preds = %B92.if.i.i
   %.291.i.i = fsub contract double %.281.i.i, %.135.i.i
-  %.293.i.i = fmul contract double %prepared_grid_v249__vphi308_0.2.0.i, %.291.i.i
+  %.293.i.i = fmul contract double %prepared_grid_v250__vphi308_0.2.0.i, %.291.i.i
   %.5.i.i.i = fptosi double %.293.i.i to i64
   %.13.i5.i.i = tail call i64 @llvm.smin.i64(i64 %.2030.i, i64 %.5.i.i.i)
   %.354.i.i = getelementptr inbounds i64, ptr %.2269.i, i64 %.13.i5.i.i
@@ -9587,7 +9669,7 @@ B386.i.i:                                         ; preds = %B346.i.i, %B324.i.i
   %25 = getelementptr i64, ptr %arg.state.9.1.4, i64 %.231203208.i.i
   store i64 %.13.i.i.i, ptr %25, align 8, !noalias !235
   %exitcond216.not.i.i = icmp eq i64 %.238.i.i, %..143.i.i
-  br i1 %exitcond216.not.i.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i, label %B92.if.i.i
+  br i1 %exitcond216.not.i.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i, label %B92.if.i.i
 
 B92.if.i.i:                                       ; preds = %B386.i.i, %B92.if.preheader.i.i
   %end.3.0210.i.i = phi i64 [ %end.4.1.i.i, %B386.i.i ], [ 0, %B92.if.preheader.i.i ]
@@ -9599,7 +9681,7 @@ B92.if.i.i:                                       ; preds = %B386.i.i, %B92.if.p
   %.287.i.i = fcmp contract ult double %.281.i.i, %.135.i.i
   br i1 %.287.i.i, label %B386.i.i, label %B146.i.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i: ; preds = %B386.i.i, %B4878.i
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i: ; preds = %B386.i.i, %B4878.i
   %.586.inv.i.i = icmp sgt i64 %.3349.i, 1
   %.587.i.i = select i1 %.586.inv.i.i, i64 0, i64 %arg.state.9.1.5.0
   %26 = getelementptr i64, ptr %arg.state.9.1.4, i64 %.143.i.i
@@ -9608,7 +9690,7 @@ _ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQC
   %.3449.i = getelementptr i8, ptr %arg.state.1.4, i64 72
   %.3450.i = load i64, ptr %.3449.i, align 8, !noalias !231
   %.3454.i = icmp eq i64 %.3450.i, 0
-  br i1 %.3454.i, label %B4956.i, label %_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v232B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit
+  br i1 %.3454.i, label %B4956.i, label %_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v233B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit
 
 B92.if.preheader.i71.i:                           ; preds = %B4956.i
   %27 = add i64 %.2797.i, -1
@@ -9619,7 +9701,7 @@ B92.if.preheader.i71.i:                           ; preds = %B4956.i
 
 B146.i80.i:                                       ; preds = %B92.if.i72.i
   %.291.i81.i = fsub contract double %.281.i78.i, %.135.i63.i
-  %.293.i82.i = fmul contract double %prepared_grid_v249__vphi308_0.2.0.i, %.291.i81.i
+  %.293.i82.i = fmul contract double %prepared_grid_v250__vphi308_0.2.0.i, %.291.i81.i
   %.5.i.i83.i = fptosi double %.293.i82.i to i64
   %.13.i5.i84.i = tail call i64 @llvm.smin.i64(i64 %.2030.i, i64 %.5.i.i83.i)
   %.354.i85.i = getelementptr inbounds i64, ptr %.2269.i, i64 %.13.i5.i84.i
@@ -9653,7 +9735,7 @@ B386.i89.i:                                       ; preds = %B346.i100.i, %B324.
   %31 = getelementptr i64, ptr %arg.state.9.0.4, i64 %.231203208.i74.i
   store i64 %.13.i.i91.i, ptr %31, align 8, !noalias !238
   %exitcond216.not.i92.i = icmp eq i64 %.238.i75.i, %..143.i66.i
-  br i1 %exitcond216.not.i92.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i, label %B92.if.i72.i
+  br i1 %exitcond216.not.i92.i, label %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i, label %B92.if.i72.i
 
 B92.if.i72.i:                                     ; preds = %B386.i89.i, %B92.if.preheader.i71.i
   %end.3.0210.i73.i = phi i64 [ %end.4.1.i90.i, %B386.i89.i ], [ 0, %B92.if.preheader.i71.i ]
@@ -9665,21 +9747,21 @@ B92.if.i72.i:                                     ; preds = %B386.i89.i, %B92.if
   %.287.i79.i = fcmp contract ult double %.281.i78.i, %.135.i63.i
   br i1 %.287.i79.i, label %B386.i89.i, label %B146.i80.i
 
-_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i: ; preds = %B386.i89.i, %B4956.i
+_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i: ; preds = %B386.i89.i, %B4956.i
   %.586.inv.i68.i = icmp sgt i64 %.3597.i, 1
   %.587.i69.i = select i1 %.586.inv.i68.i, i64 0, i64 %arg.state.9.0.5.0
   %32 = getelementptr i64, ptr %arg.state.9.0.4, i64 %.143.i64.i
   %.601.i70.i = getelementptr i64, ptr %32, i64 %.587.i69.i
   store i64 %.2797.i, ptr %.601.i70.i, align 8, !noalias !238
-  br label %_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v232B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit
+  br label %_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v233B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit
 
-_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v232B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit: ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i, %B0.endif.endif.endif.endif.endif.if.i
-  %.307.sroa.0.0 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.if.i ], [ %.2642.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ %.2642.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
-  %.307.sroa.4.0 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.if.i ], [ %.2797.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ %.2797.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
-  %.307.sroa.6.0 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.if.i ], [ %.13.i.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ %.13.i.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
-  %.307.sroa.8.0 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.if.i ], [ %.13.i56.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ %.13.i56.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
-  %excinfo.1.0 = phi ptr [ %.1172.i, %B0.endif.endif.endif.endif.endif.if.i ], [ null, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ null, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
-  %common.ret.op.i = phi i32 [ 1, %B0.endif.endif.endif.endif.endif.if.i ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
+_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v233B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit: ; preds = %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i, %B0.endif.endif.endif.endif.endif.if.i
+  %.307.sroa.0.0 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.if.i ], [ %.2642.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ %.2642.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
+  %.307.sroa.4.0 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.if.i ], [ %.2797.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ %.2797.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
+  %.307.sroa.6.0 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.if.i ], [ %.13.i.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ %.13.i.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
+  %.307.sroa.8.0 = phi i64 [ 0, %B0.endif.endif.endif.endif.endif.if.i ], [ %.13.i56.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ %.13.i56.i, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
+  %excinfo.1.0 = phi ptr [ %.1172.i, %B0.endif.endif.endif.endif.endif.if.i ], [ null, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ null, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
+  %common.ret.op.i = phi i32 [ 1, %B0.endif.endif.endif.endif.endif.if.i ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit106.i ], [ 0, %_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE.exit.i ]
   call void @llvm.lifetime.end.p0(ptr nonnull %.1157.i)
   call void @llvm.lifetime.end.p0(ptr nonnull %excinfo.6.i)
   call void @llvm.lifetime.end.p0(ptr nonnull %.2624.i)
@@ -9702,11 +9784,11 @@ B576:                                             ; preds = %B452.endif.endif.en
   store i64 %.307.sroa.8.0, ptr %retptr.repack1319, align 8
   br label %common.ret
 
-B0.if:                                            ; preds = %_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v232B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit
+B0.if:                                            ; preds = %_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v233B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit
   store ptr %excinfo.1.0, ptr %excinfo, align 8
   br label %common.ret
 
-B0.endif:                                         ; preds = %_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v232B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit
+B0.endif:                                         ; preds = %_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v233B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d.exit
   %.647 = load i64, ptr %.333.i, align 8
   %.663 = getelementptr inbounds double, ptr %arg.state.2.4, i64 %.647
   %.757 = getelementptr inbounds nuw i8, ptr %arg.state.10.0.4, i64 768
@@ -9795,7 +9877,7 @@ B450.if:                                          ; preds = %B452.endif.endif.en
   %scevgep11.i = getelementptr i8, ptr %lsr.iv2.pn, i64 440
   br label %B154.if.i.i
 
-B380.i:                                           ; preds = %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B380.i:                                           ; preds = %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %.928.i = load double, ptr %.927.i, align 8, !noalias !247
   %.929.i = fcmp contract ogt double %.928.i, 0.000000e+00
   br i1 %.929.i, label %B404.i, label %B486.i
@@ -9808,7 +9890,7 @@ B404.i:                                           ; preds = %B380.i
   %.127.i.2.i.i = fmul contract double %.26.i.i, %.147.i.1.i.i
   %.38.le.i.i = tail call contract double @llvm.log.f64(double %.26.i.i)
   %.168.i.i.i = fcmp une double %.127.i.2.i.i, 0.000000e+00
-  br i1 %.168.i.i.i, label %B134.if.lr.ph.i.i, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i, !prof !20
+  br i1 %.168.i.i.i, label %B134.if.lr.ph.i.i, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i, !prof !20
 
 B134.if.lr.ph.i.i:                                ; preds = %B404.i
   %.175.i.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i.i
@@ -9843,14 +9925,14 @@ B134.if.i.i:                                      ; preds = %B134.if.i.i, %B134.
   %.493.i.i = fmul contract double %.26.i.i, %power.2.0146.i.i
   %ov.i = icmp eq i64 %lsr.iv1.i, -1
   %lsr.iv.next2.i = add nsw i64 %lsr.iv1.i, 1
-  br i1 %ov.i, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i, label %B134.if.i.i
+  br i1 %ov.i, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i, label %B134.if.i.i
 
-_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i: ; preds = %B134.if.i.i, %B404.i
+_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i: ; preds = %B134.if.i.i, %B404.i
   %.998.0.i = phi double [ 0.000000e+00, %B404.i ], [ %.488.i.i, %B134.if.i.i ]
   %excinfo.3.0.i = phi ptr [ null, %B404.i ], [ null, %B134.if.i.i ]
-  br i1 %.168.i.i.i, label %B404.endif.i, label %_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v274B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, !prof !20
+  br i1 %.168.i.i.i, label %B404.endif.i, label %_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v275B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, !prof !20
 
-B486.i:                                           ; preds = %B404.endif.i, %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B380.i
+B486.i:                                           ; preds = %B404.endif.i, %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B380.i
   %56 = getelementptr i8, ptr %59, i64 8
   %.1110.i = getelementptr double, ptr %56, i64 %.849.i
   %.1111.i = load double, ptr %.1110.i, align 8, !noalias !247
@@ -9875,7 +9957,7 @@ B666.i:                                           ; preds = %B574.i, %B486.i
   %"$phi666.0.2.0.i" = phi double [ %.1235.i, %B574.i ], [ 0.000000e+00, %B486.i ]
   %.1282.i = getelementptr i8, ptr %lsr.iv2.pn, i64 560
   store double %"$phi666.0.2.0.i", ptr %.1282.i, align 8, !noalias !247
-  br label %_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v274B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  br label %_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v275B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B278.i.i:                                         ; preds = %B154.if.i.i
   %.491.i.i = load double, ptr %scevgep18.i, align 8, !noalias !255
@@ -9892,7 +9974,7 @@ B356.i.i:                                         ; preds = %B154.if.i.i, %B278.
   %.596.i.i = fmul contract double %.113.i, %power.2.0232.i.i
   %lsr.iv.next.i = add nuw nsw i64 %lsr.iv.i, 1
   %exitcond.not.i7.i = icmp eq i64 %lsr.iv.next.i, 16
-  br i1 %exitcond.not.i7.i, label %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B154.if.i.i
+  br i1 %exitcond.not.i7.i, label %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B154.if.i.i
 
 B154.if.i.i:                                      ; preds = %B356.i.i, %B450.if
   %lsr.iv.i = phi i64 [ %lsr.iv.next.i, %B356.i.i ], [ 0, %B450.if ]
@@ -9915,7 +9997,7 @@ B154.if.i.i:                                      ; preds = %B356.i.i, %B450.if
   %or.cond.i.i = icmp ult i64 %57, 7
   br i1 %or.cond.i.i, label %B278.i.i, label %B356.i.i
 
-_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B356.i.i
+_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B356.i.i
   %.671.i.i = getelementptr i8, ptr %.373.i, i64 320
   %.672.i.i = load double, ptr %.671.i.i, align 8, !noalias !255
   %.680.i.i = fmul contract double %.112.i, %.672.i.i
@@ -9930,21 +10012,21 @@ _ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IK
   store double %.865.i, ptr %.894.i, align 8, !noalias !247
   br i1 %.897.i, label %B380.i, label %B486.i
 
-B404.endif.i:                                     ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i
+B404.endif.i:                                     ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i
   %.1033.i = fadd contract double %.865.i, %.998.0.i
   store double %.1033.i, ptr %.894.i, align 8, !noalias !247
   br label %B486.i
 
-_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v274B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i, %B666.i
-  %excinfo.9.1 = phi ptr [ %excinfo.9.0, %B666.i ], [ %excinfo.3.0.i, %_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i ]
-  %cond = phi i1 [ true, %B666.i ], [ false, %_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i ]
+_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v275B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i, %B666.i
+  %excinfo.9.1 = phi ptr [ %excinfo.9.0, %B666.i ], [ %excinfo.3.0.i, %_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i ]
+  %cond = phi i1 [ true, %B666.i ], [ false, %_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit.i ]
   br i1 %cond, label %B452.endif.endif.endif.endif, label %B452.endif.endif.endif.if, !prof !20
 
-B452.endif.endif.endif.if:                        ; preds = %_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v274B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B452.endif.endif.endif.if:                        ; preds = %_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v275B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   store ptr %excinfo.9.1, ptr %excinfo, align 8
   br label %common.ret
 
-B452.endif.endif.endif.endif:                     ; preds = %_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v274B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B452.endif.endif.endif.endif:                     ; preds = %_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v275B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.1000 = add nuw nsw i64 %.99313311336, 1
   %scevgep103 = getelementptr i8, ptr %lsr.iv, i64 %37
   %exitcond.not = icmp eq i64 %.1000, 5
@@ -10685,7 +10767,7 @@ entry:
   %.493.i5 = fmul contract double %.69.le.i, 2.000000e+00
   br label %B154.if.i
 
-B848:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B848:                                             ; preds = %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.1268 = getelementptr i8, ptr %arg.band.4, i64 16
   %.1269 = load double, ptr %.1268, align 8
   %.1270 = fcmp contract ogt double %.1269, 0.000000e+00
@@ -10699,7 +10781,7 @@ B872:                                             ; preds = %B848
   %.127.i.2.i = fmul contract double %.26.i, %.147.i.1.i
   %.38.le.i = tail call contract double @llvm.log.f64(double %.26.i)
   %.168.i.i = fcmp une double %.127.i.2.i, 0.000000e+00
-  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !20
+  br i1 %.168.i.i, label %B134.if.lr.ph.i, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, !prof !20
 
 B134.if.lr.ph.i:                                  ; preds = %B872
   %.175.i.i = fdiv contract double 1.000000e+00, %.127.i.2.i
@@ -10736,14 +10818,14 @@ B134.if.i:                                        ; preds = %B134.if.i, %B134.if
   %46 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv1, i64 1)
   %math = extractvalue { i64, i1 } %46, 0
   %ov25 = extractvalue { i64, i1 } %46, 1
-  br i1 %ov25, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
+  br i1 %ov25, label %_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit, label %B134.if.i
 
-_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B872
+_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit: ; preds = %B134.if.i, %B872
   %.1339.0 = phi double [ 0.000000e+00, %B872 ], [ %.488.i, %B134.if.i ]
   %excinfo.7.0 = phi ptr [ null, %B872 ], [ null, %B134.if.i ]
   br i1 %.168.i.i, label %B872.endif, label %B872.if, !prof !20
 
-B944:                                             ; preds = %B872.endif, %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B848
+B944:                                             ; preds = %B872.endif, %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %B848
   %.1447 = getelementptr i8, ptr %arg.row.4, i64 72
   %.1448 = load double, ptr %.1447, align 8
   %.1454 = fmul contract double %.1448, 0x401921FB54442D18
@@ -10781,7 +10863,7 @@ B356.i:                                           ; preds = %B154.if.i, %B278.i
   %.596.i = fmul contract double %.306, %power.2.0232.i
   %lsr.iv.next = add nuw nsw i64 %lsr.iv, 1
   %exitcond.not.i10 = icmp eq i64 %lsr.iv.next, 16
-  br i1 %exitcond.not.i10, label %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B154.if.i
+  br i1 %exitcond.not.i10, label %_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B154.if.i
 
 B154.if.i:                                        ; preds = %B356.i, %entry
   %lsr.iv = phi i64 [ %lsr.iv.next, %B356.i ], [ 0, %entry ]
@@ -10804,7 +10886,7 @@ B154.if.i:                                        ; preds = %B356.i, %entry
   %or.cond.i = icmp ult i64 %48, 7
   br i1 %or.cond.i, label %B278.i, label %B356.i
 
-_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B356.i
+_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B356.i
   %.672.i = load double, ptr %.1336.i.i, align 8, !noalias !292
   %.680.i = fmul contract double %.305, %.672.i
   %.684.i = fdiv contract double %.680.i, 9.000000e+00
@@ -10824,11 +10906,11 @@ _ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IK
   %.1238 = icmp eq i64 %arg.alignment, 1
   br i1 %.1238, label %B848, label %B944
 
-B872.if:                                          ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B872.if:                                          ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   store ptr %excinfo.7.0, ptr %excinfo, align 8
   br label %common.ret
 
-B872.endif:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
+B872.endif:                                       ; preds = %_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE.exit
   %.1374 = fadd contract double %.1206, %.1339.0
   store double %.1374, ptr %sunkaddr45, align 8
   br label %B944
@@ -13368,8 +13450,8 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !19 = distinct !{!19, !"_ZN17bnserve_surrogate8tangents7_source7_ratiosB4v139B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !20 = !{!"branch_weights", i32 49, i32 1}
 !21 = !{!22, !5, !7, !1, !3}
-!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate8tangents7_source7_refuseB4v594B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!23 = distinct !{!23, !"_ZN17bnserve_surrogate8tangents7_source7_refuseB4v594B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE"}
+!22 = distinct !{!22, !23, !"_ZN17bnserve_surrogate8tangents7_source7_refuseB4v595B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!23 = distinct !{!23, !"_ZN17bnserve_surrogate8tangents7_source7_refuseB4v595B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE"}
 !24 = !{!"branch_weights", i32 1, i32 99}
 !25 = !{!"branch_weights", i32 146201250, i32 2001282398}
 !26 = !{!"branch_weights", i32 166258294, i32 1981225354}
@@ -13436,9 +13518,9 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !87 = distinct !{!87, !"_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
 !88 = distinct !{!88, !87, !"_ZN17bnserve_surrogate8tangents8_carrier20prepare_coefficientsB4v176B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %excinfo"}
 !89 = !{!90, !92, !83, !85, !86, !88, !67, !69}
-!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE: %retptr"}
-!91 = distinct !{!91, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE"}
-!92 = distinct !{!92, !91, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE: %excinfo"}
+!90 = distinct !{!90, !91, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE: %retptr"}
+!91 = distinct !{!91, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE"}
+!92 = distinct !{!92, !91, !"_ZN17bnserve_surrogate8tangents7_series6_phaseB4v188B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx10complex12810complex12810complex1288UniTupleI10complex128Li2EE8UniTupleI10complex128Li2EE5ArrayI10complex128Li2E1C7mutable7alignedE: %excinfo"}
 !93 = !{!"branch_weights", i32 42949673, i32 2104533975}
 !94 = !{!95, !97, !90, !92, !83, !85, !86, !88, !67, !69}
 !95 = distinct !{!95, !96, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v189B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex1285ArrayI10complex128Li2E1C7mutable7alignedE: %retptr"}
@@ -13448,27 +13530,27 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !99 = distinct !{!99, !100, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li2E1C7mutable7alignedE: %retptr"}
 !100 = distinct !{!100, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v193B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li2E1C7mutable7alignedE"}
 !101 = !{!102, !104, !86, !88, !67, !69}
-!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v196B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!103 = distinct !{!103, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v196B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!104 = distinct !{!104, !103, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v196B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!102 = distinct !{!102, !103, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v197B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!103 = distinct !{!103, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v197B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!104 = distinct !{!104, !103, !"_ZN17bnserve_surrogate8tangents7_series23fill_amplitude_tangentsB4v197B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayI10complex128Li1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !105 = !{!106, !108, !102, !104, !86, !88, !67, !69}
-!106 = distinct !{!106, !107, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE: %retptr"}
-!107 = distinct !{!107, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE"}
-!108 = distinct !{!108, !107, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v198B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE: %excinfo"}
+!106 = distinct !{!106, !107, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE: %retptr"}
+!107 = distinct !{!107, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE"}
+!108 = distinct !{!108, !107, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v199B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dE10complex12810complex12810complex1285ArrayI10complex128Li1E1C7mutable7alignedE: %excinfo"}
 !109 = !{!110, !112}
-!110 = distinct !{!110, !111, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
-!111 = distinct !{!111, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
-!112 = distinct !{!112, !111, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v201B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %excinfo"}
+!110 = distinct !{!110, !111, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v202B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
+!111 = distinct !{!111, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v202B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
+!112 = distinct !{!112, !111, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v202B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx23Literal_5bint_5d_282_2923Literal_5bint_5d_280_2923Literal_5bint_5d_280_29d692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %excinfo"}
 !113 = !{!114, !116}
-!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
-!115 = distinct !{!115, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
-!116 = distinct !{!116, !115, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v578B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %excinfo"}
+!114 = distinct !{!114, !115, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v579B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
+!115 = distinct !{!115, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v579B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
+!116 = distinct !{!116, !115, !"_ZN17bnserve_surrogate8tangents4_row6_orderB4v579B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %excinfo"}
 !117 = !{!118, !114, !116}
-!118 = distinct !{!118, !119, !"_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v302B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx: %retptr"}
-!119 = distinct !{!119, !"_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v302B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx"}
+!118 = distinct !{!118, !119, !"_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v303B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx: %retptr"}
+!119 = distinct !{!119, !"_ZN17bnserve_surrogate8tangents6_ratio13prepare_ratioB4v303B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedEdxx"}
 !120 = !{!121, !118, !114, !116}
-!121 = distinct !{!121, !122, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!122 = distinct !{!122, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!121 = distinct !{!121, !122, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!122 = distinct !{!122, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !123 = !{!124, !118, !114, !116}
 !124 = distinct !{!124, !125, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !125 = distinct !{!125, !"_ZN17bnserve_surrogate6kernel7_points10fill_cellsB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
@@ -13482,165 +13564,165 @@ attributes #9 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !133 = distinct !{!133, !134, !"_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !134 = distinct !{!134, !"_ZN17bnserve_surrogate8tangents8_carrier11fill_slopesB4v175B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExd5ArrayIdLi1E1C7mutable7alignedE"}
 !135 = !{!136, !114, !116}
-!136 = distinct !{!136, !137, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v412B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!137 = distinct !{!137, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v412B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!136 = distinct !{!136, !137, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v413B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!137 = distinct !{!137, !"_ZN17bnserve_surrogate6kernel5modes5_sums4turnB4v413B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !138 = !{!139, !114, !116}
-!139 = distinct !{!139, !140, !"_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v431B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
-!140 = distinct !{!140, !"_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v431B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
+!139 = distinct !{!139, !140, !"_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v432B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29: %retptr"}
+!140 = distinct !{!140, !"_ZN17bnserve_surrogate8tangents4_row11_write_modeB4v432B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE8UniTupleIxLi3EEd692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29"}
 !141 = !{!142, !139, !114, !116}
-!142 = distinct !{!142, !143, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!143 = distinct !{!143, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!142 = distinct !{!142, !143, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v428B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!143 = distinct !{!143, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v428B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !144 = !{!145, !139, !114, !116}
-!145 = distinct !{!145, !146, !"_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!146 = distinct !{!146, !"_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!145 = distinct !{!145, !146, !"_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!146 = distinct !{!146, !"_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !147 = !{i32 1}
 !148 = !{!149, !139, !114, !116}
-!149 = distinct !{!149, !150, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!150 = distinct !{!150, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!149 = distinct !{!149, !150, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v428B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!150 = distinct !{!150, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v428B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !151 = !{!152, !139, !114, !116}
-!152 = distinct !{!152, !153, !"_ZN17bnserve_surrogate8tangents6_ratio18fill_ratio_tangentB4v475B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxxd: %retptr"}
-!153 = distinct !{!153, !"_ZN17bnserve_surrogate8tangents6_ratio18fill_ratio_tangentB4v475B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxxd"}
+!152 = distinct !{!152, !153, !"_ZN17bnserve_surrogate8tangents6_ratio18fill_ratio_tangentB4v476B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxxd: %retptr"}
+!153 = distinct !{!153, !"_ZN17bnserve_surrogate8tangents6_ratio18fill_ratio_tangentB4v476B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_295ArrayIxLi1E1C7mutable7alignedExxxd"}
 !154 = !{!155, !152, !139, !114, !116}
-!155 = distinct !{!155, !156, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v498B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!156 = distinct !{!156, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v498B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!155 = distinct !{!155, !156, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v499B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!156 = distinct !{!156, !"_ZN17bnserve_surrogate6kernel5modes5_sums10fill_ratioB4v499B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEx8UniTupleIdLi4EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !157 = distinct !{!157, !32}
 !158 = !{!159, !155, !152, !139, !114, !116}
-!159 = distinct !{!159, !160, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v501B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!160 = distinct !{!160, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v501B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!159 = distinct !{!159, !160, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v502B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!160 = distinct !{!160, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v502B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !161 = distinct !{!161, !32}
 !162 = !{!163, !139, !114, !116}
-!163 = distinct !{!163, !164, !"_ZN17bnserve_surrogate8tangents7_points10write_modeB4v502B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!164 = distinct !{!164, !"_ZN17bnserve_surrogate8tangents7_points10write_modeB4v502B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!163 = distinct !{!163, !164, !"_ZN17bnserve_surrogate8tangents7_points10write_modeB4v503B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!164 = distinct !{!164, !"_ZN17bnserve_surrogate8tangents7_points10write_modeB4v503B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExddx8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !165 = !{!166, !139, !114, !116}
-!166 = distinct !{!166, !167, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v430B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!167 = distinct !{!167, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v430B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
+!166 = distinct !{!166, !167, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v431B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!167 = distinct !{!167, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v431B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
 !168 = distinct !{!168, !32}
 !169 = distinct !{!169, !32}
 !170 = !{!171, !139, !114, !116}
-!171 = distinct !{!171, !172, !"_ZN17bnserve_surrogate8tangents4_row5_riseB4v470B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEddx692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE: %retptr"}
-!172 = distinct !{!172, !"_ZN17bnserve_surrogate8tangents4_row5_riseB4v470B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEddx692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE"}
+!171 = distinct !{!171, !172, !"_ZN17bnserve_surrogate8tangents4_row5_riseB4v471B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEddx692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE: %retptr"}
+!172 = distinct !{!172, !"_ZN17bnserve_surrogate8tangents4_row5_riseB4v471B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEddx692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_298UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE"}
 !173 = !{!174, !139, !114, !116}
-!174 = distinct !{!174, !175, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v430B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!175 = distinct !{!175, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v430B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
+!174 = distinct !{!174, !175, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v431B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!175 = distinct !{!175, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v431B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
 !176 = !{!177}
-!177 = distinct !{!177, !178, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v301B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!178 = distinct !{!178, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v301B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!177 = distinct !{!177, !178, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v302B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!178 = distinct !{!178, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v302B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !179 = !{!180}
-!180 = distinct !{!180, !181, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!181 = distinct !{!181, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
+!180 = distinct !{!180, !181, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!181 = distinct !{!181, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
 !182 = !{!183}
-!183 = distinct !{!183, !184, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v301B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!184 = distinct !{!184, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v301B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!183 = distinct !{!183, !184, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v302B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!184 = distinct !{!184, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v302B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE23Literal_5bint_5d_281_295ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !185 = !{!186}
-!186 = distinct !{!186, !187, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v387B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!187 = distinct !{!187, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v387B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!186 = distinct !{!186, !187, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!187 = distinct !{!187, !"_ZN17bnserve_surrogate8tangents7_points11fill_sharesB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EEd5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !188 = !{!189}
-!189 = distinct !{!189, !190, !"_ZN17bnserve_surrogate8tangents8_carrier7_extendB4v393B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29x5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!190 = distinct !{!190, !"_ZN17bnserve_surrogate8tangents8_carrier7_extendB4v393B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29x5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!189 = distinct !{!189, !190, !"_ZN17bnserve_surrogate8tangents8_carrier7_extendB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29x5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!190 = distinct !{!190, !"_ZN17bnserve_surrogate8tangents8_carrier7_extendB4v394B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29x5ArrayIdLi1E1C7mutable7alignedExddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !191 = !{!192, !189}
-!192 = distinct !{!192, !193, !"_ZN17bnserve_surrogate8tangents7_points17extend_mass_belowB4v396B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!193 = distinct !{!193, !"_ZN17bnserve_surrogate8tangents7_points17extend_mass_belowB4v396B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!192 = distinct !{!192, !193, !"_ZN17bnserve_surrogate8tangents7_points17extend_mass_belowB4v397B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!193 = distinct !{!193, !"_ZN17bnserve_surrogate8tangents7_points17extend_mass_belowB4v397B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !194 = !{!195, !189}
-!195 = distinct !{!195, !196, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v397B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!196 = distinct !{!196, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v397B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!195 = distinct !{!195, !196, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v398B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!196 = distinct !{!196, !"_ZN17bnserve_surrogate6kernel7_points12extend_belowB4v398B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExdd8UniTupleIdLi2EEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !197 = !{!198}
-!198 = distinct !{!198, !199, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v501B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!199 = distinct !{!199, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v501B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!198 = distinct !{!198, !199, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v502B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!199 = distinct !{!199, !"_ZN17bnserve_surrogate6kernel7_points11two_splinesB4v502B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !200 = !{!201}
-!201 = distinct !{!201, !202, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v561B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!202 = distinct !{!202, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v561B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!201 = distinct !{!201, !202, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v562B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!202 = distinct !{!202, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v562B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !203 = !{!204}
-!204 = distinct !{!204, !205, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v406B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!205 = distinct !{!205, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v406B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!204 = distinct !{!204, !205, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v407B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!205 = distinct !{!205, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v407B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !206 = !{!207}
-!207 = distinct !{!207, !208, !"_ZN17bnserve_surrogate8tangents7_points21add_amplitude_tangentB4v407B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!208 = distinct !{!208, !"_ZN17bnserve_surrogate8tangents7_points21add_amplitude_tangentB4v407B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!207 = distinct !{!207, !208, !"_ZN17bnserve_surrogate8tangents7_points21add_amplitude_tangentB4v408B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!208 = distinct !{!208, !"_ZN17bnserve_surrogate8tangents7_points21add_amplitude_tangentB4v408B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !209 = !{!210}
-!210 = distinct !{!210, !211, !"_ZN17bnserve_surrogate8tangents7_points9fill_lineB4v410B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!211 = distinct !{!211, !"_ZN17bnserve_surrogate8tangents7_points9fill_lineB4v410B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!210 = distinct !{!210, !211, !"_ZN17bnserve_surrogate8tangents7_points9fill_lineB4v411B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!211 = distinct !{!211, !"_ZN17bnserve_surrogate8tangents7_points9fill_lineB4v411B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxddddd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !212 = !{!213}
-!213 = distinct !{!213, !214, !"_ZN17bnserve_surrogate8tangents8_carrier5_fallB4v411B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!214 = distinct !{!214, !"_ZN17bnserve_surrogate8tangents8_carrier5_fallB4v411B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE"}
+!213 = distinct !{!213, !214, !"_ZN17bnserve_surrogate8tangents8_carrier5_fallB4v412B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!214 = distinct !{!214, !"_ZN17bnserve_surrogate8tangents8_carrier5_fallB4v412B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxdd5ArrayIdLi1E1C7mutable7alignedE"}
 !215 = !{!216}
-!216 = distinct !{!216, !217, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v561B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!217 = distinct !{!217, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v561B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!216 = distinct !{!216, !217, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v562B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!217 = distinct !{!217, !"_ZN17bnserve_surrogate6kernel7_points6splineB4v562B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExxd5ArrayIdLi1E1C7mutable7alignedE5ArrayIxLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !218 = !{!219}
-!219 = distinct !{!219, !220, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v406B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!220 = distinct !{!220, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v406B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!219 = distinct !{!219, !220, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v407B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!220 = distinct !{!220, !"_ZN17bnserve_surrogate6kernel7_points6phasesB4v407B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !221 = !{!222}
-!222 = distinct !{!222, !223, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!223 = distinct !{!223, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v427B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!222 = distinct !{!222, !223, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v428B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!223 = distinct !{!223, !"_ZN17bnserve_surrogate8tangents7_points5splitB4v428B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !224 = !{!225}
-!225 = distinct !{!225, !226, !"_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!226 = distinct !{!226, !"_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v428B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!225 = distinct !{!225, !226, !"_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!226 = distinct !{!226, !"_ZN17bnserve_surrogate8tangents7_points13write_carrierB4v429B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExd8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !227 = !{!228}
-!228 = distinct !{!228, !229, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v430B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!229 = distinct !{!229, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v430B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
+!228 = distinct !{!228, !229, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v431B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!229 = distinct !{!229, !"_ZN17bnserve_surrogate8tangents7_points5zerosB4v431B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dExx5ArrayIdLi1E1C7mutable7alignedE"}
 !230 = distinct !{!230, !32}
 !231 = !{!232, !234}
-!232 = distinct !{!232, !233, !"_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v232B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d: %retptr"}
-!233 = distinct !{!233, !"_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v232B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d"}
-!234 = distinct !{!234, !233, !"_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v232B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d: %excinfo"}
+!232 = distinct !{!232, !233, !"_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v233B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d: %retptr"}
+!233 = distinct !{!233, !"_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v233B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d"}
+!234 = distinct !{!234, !233, !"_ZN17bnserve_surrogate8tangents8_carrier13place_carrierB4v233B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE692Row_28array_28int64_2c_201d_2c_20C_29_2c_20array_28int64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20int64_2c_20array_28float64_2c_201d_2c_20C_29_2c_20UniTuple_28int64_20x_203_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28int64_2c_201d_2c_20C_29_20x_202_29_2c_20UniTuple_28array_28float64_2c_201d_2c_20C_29_20x_202_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_2c_20array_28float64_2c_201d_2c_20C_29_29d: %excinfo"}
 !235 = !{!236, !232, !234}
-!236 = distinct !{!236, !237, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!237 = distinct !{!237, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!236 = distinct !{!236, !237, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!237 = distinct !{!237, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !238 = !{!239, !232, !234}
-!239 = distinct !{!239, !240, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
-!240 = distinct !{!240, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
+!239 = distinct !{!239, !240, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
+!240 = distinct !{!240, !"_ZN17bnserve_surrogate6kernel7_places9find_endsB4v274B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5TupleI5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExdE5ArrayIdLi1E1C7mutable7alignedExdx5ArrayIxLi1E1C7mutable7alignedE"}
 !241 = !{!242, !232, !234}
-!242 = distinct !{!242, !243, !"_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!243 = distinct !{!243, !"_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!242 = distinct !{!242, !243, !"_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!243 = distinct !{!243, !"_ZN17bnserve_surrogate8tangents7_series16fill_mass_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !244 = !{!245, !242, !232, !234}
-!245 = distinct !{!245, !246, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!246 = distinct !{!246, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v272B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
+!245 = distinct !{!245, !246, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!246 = distinct !{!246, !"_ZN17bnserve_surrogate8tangents7_series17fill_slope_seriesB4v273B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedEdd5ArrayIdLi1E1C7mutable7alignedE"}
 !247 = !{!248, !250}
-!248 = distinct !{!248, !249, !"_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v274B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!249 = distinct !{!249, !"_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v274B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!250 = distinct !{!250, !249, !"_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v274B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!248 = distinct !{!248, !249, !"_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v275B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!249 = distinct !{!249, !"_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v275B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!250 = distinct !{!250, !249, !"_ZN17bnserve_surrogate8tangents7_series19fill_tangent_seriesB4v275B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
 !251 = !{!252, !254, !248, !250}
-!252 = distinct !{!252, !253, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!253 = distinct !{!253, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!254 = distinct !{!254, !253, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!252 = distinct !{!252, !253, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!253 = distinct !{!253, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!254 = distinct !{!254, !253, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
 !255 = !{!256, !248, !250}
-!256 = distinct !{!256, !257, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!257 = distinct !{!257, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!256 = distinct !{!256, !257, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!257 = distinct !{!257, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !258 = !{!259}
-!259 = distinct !{!259, !260, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v259B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!260 = distinct !{!260, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v259B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
+!259 = distinct !{!259, !260, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v260B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!260 = distinct !{!260, !"_ZN17bnserve_surrogate8baseline10_amplitude22amplitude_coefficientsB4v260B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi1E1C7mutable7alignedE"}
 !261 = !{!262}
-!262 = distinct !{!262, !263, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v262B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!263 = distinct !{!263, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v262B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
+!262 = distinct !{!262, !263, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v263B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!263 = distinct !{!263, !"_ZN17bnserve_surrogate8baseline6_phase18phase_coefficientsB4v263B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddddd5ArrayIdLi2E1C7mutable7alignedE"}
 !264 = !{!265, !262}
-!265 = distinct !{!265, !266, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v263B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!266 = distinct !{!266, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v263B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!265 = distinct !{!265, !266, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v264B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!266 = distinct !{!266, !"_ZN17bnserve_surrogate8baseline6_phase20add_point_mass_phaseB4v264B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
 !267 = !{!268, !262}
-!268 = distinct !{!268, !269, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v264B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!269 = distinct !{!269, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v264B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!268 = distinct !{!268, !269, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v265B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!269 = distinct !{!269, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v265B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !270 = !{!271, !262}
-!271 = distinct !{!271, !272, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v264B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!272 = distinct !{!272, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v264B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!271 = distinct !{!271, !272, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v265B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!272 = distinct !{!272, !"_ZN17bnserve_surrogate8baseline6_phase20add_spin_orbit_phaseB4v265B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !273 = !{!274, !262}
-!274 = distinct !{!274, !275, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v266B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!275 = distinct !{!275, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v266B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!274 = distinct !{!274, !275, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v267B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!275 = distinct !{!275, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v267B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !276 = !{!277, !262}
-!277 = distinct !{!277, !278, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v266B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!278 = distinct !{!278, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v266B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!277 = distinct !{!277, !278, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v267B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!278 = distinct !{!278, !"_ZN17bnserve_surrogate8baseline6_phase19add_self_spin_phaseB4v267B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !279 = !{!280, !262}
-!280 = distinct !{!280, !281, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v267B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!281 = distinct !{!281, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v267B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
+!280 = distinct !{!280, !281, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v268B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!281 = distinct !{!281, !"_ZN17bnserve_surrogate8baseline6_phase19add_spin_spin_phaseB4v268B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEddd5ArrayIdLi2E1C7mutable7alignedE"}
 !282 = !{!283, !262}
-!283 = distinct !{!283, !284, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v268B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!284 = distinct !{!284, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v268B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!283 = distinct !{!283, !284, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!284 = distinct !{!284, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !285 = !{!286, !262}
-!286 = distinct !{!286, !287, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v268B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!287 = distinct !{!287, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v268B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
+!286 = distinct !{!286, !287, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!287 = distinct !{!287, !"_ZN17bnserve_surrogate8baseline6_phase15add_tidal_phaseB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDAxYh_2bqJnA4AOzNAE_3dEdd5ArrayIdLi2E1C7mutable7alignedE"}
 !288 = !{!289, !291}
-!289 = distinct !{!289, !290, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
-!290 = distinct !{!290, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
-!291 = distinct !{!291, !290, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
+!289 = distinct !{!289, !290, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %retptr"}
+!290 = distinct !{!290, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE"}
+!291 = distinct !{!291, !290, !"_ZN17bnserve_surrogate6kernel7_series8legendreB4v271B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE: %excinfo"}
 !292 = !{!293}
-!293 = distinct !{!293, !294, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!294 = distinct !{!294, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v269B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!293 = distinct !{!293, !294, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!294 = distinct !{!294, !"_ZN17bnserve_surrogate6kernel7_series17fill_phase_powersB4v270B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi2E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !295 = !{!296}
 !296 = distinct !{!296, !297, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v78B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !297 = distinct !{!297, !"_ZN17bnserve_surrogate6kernel11_regression9_productsB3v78B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
