@@ -181,6 +181,8 @@ def sampled(prepared: Prepared, event: Event, start: dict[str, Floats], settings
     flat = jax.vmap(jim.add_name)(jnp.asarray(positions.reshape(-1, positions.shape[2])))
     for transform in reversed(unbounded):
         flat = jax.vmap(transform.backward)(flat)
+    low, high = _ends(priors["psi"])
+    flat["psi"] = low + (flat["psi"] - low) % (high - low)  # proposals of the flow go round
     told = jim.get_diagnostics()
     loops = settings.training_loops + settings.production_loops
     return Sampled(
