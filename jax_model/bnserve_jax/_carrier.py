@@ -12,9 +12,10 @@ from jax import Array
 from bnserve_jax._parameters import Binary
 from bnserve_jax._points import Grid, step
 from bnserve_jax._series import Series
-from bnserve_jax._splines import Knots
+from bnserve_jax._splines import Cubics, Knots, Place, evaluate
 from bnserve_protocol import SOLAR_MASS_SECONDS
 from bnserve_surrogate.baseline import FREEZING_END, FREEZING_START
+from bnserve_surrogate.kernel import EDGE
 
 Alignment = Literal["post_newtonian", "merger"]
 
@@ -31,8 +32,8 @@ class CarrierRow(NamedTuple):
     """The (2, 2) of one binary, ready to be evaluated at any frequencies."""
 
     series: Series
-    cubics: Array
-    """``(8, cells)``."""
+    cubics: Cubics
+    """Of the residuals of ln A and the phase."""
     edge: Array
     """``(3,)``: both residuals at the first knots, and the phase's slope in x there."""
     constant: Array
@@ -40,7 +41,7 @@ class CarrierRow(NamedTuple):
     """Of the phase, in radians and radians per x."""
 
     @classmethod
-    def of(cls, binary: Binary, cubics: Array, ends: Array, band: Band, alignment: Alignment) -> CarrierRow:
+    def of(cls, binary: Binary, cubics: Cubics, ends: Array, band: Band, alignment: Alignment) -> CarrierRow:
         """From a binary, and what follows linearly from the outputs of its regressor."""
         series, at = Series.of(binary), 4 if alignment == "merger" else 2
         constant = binary["reference_phase"] - ends[at]
@@ -48,37 +49,102 @@ class CarrierRow(NamedTuple):
             constant = constant + series.legendre(band.start)
         shift = 2.0 * pi * binary["time_shift"] / (binary["total_mass"] * SOLAR_MASS_SECONDS)
         edge = jnp.stack([ends[0], ends[1], -ends[3]])
-        return cls(series, cubics.reshape(8, -1), edge, constant, shift - ends[at + 1])
+        return cls(series, cubics, edge, constant, shift - ends[at + 1])
 
 
-def evaluate(row: CarrierRow, knots: Knots, band: Band, grid: Grid, mass: Array) -> tuple[Array, Array]:
-    """Amplitude and phase, ``(M,)`` each, at x = f times ``mass`` in seconds.
+class View(NamedTuple):
+    """Frequencies as the modes of one m of one binary see them: all that does not depend on the rest of its row."""
 
-    Below the splines the amplitude's residual fades out over an octave and the phase's goes on as a straight line.
-    """
-    x = grid.f * mass
-    bare, psi = row.series.evaluate(grid, mass)
-    a, p = knots.evaluate(row.cubics, grid.log + jnp.log(mass))
-    below = x < band.first
-    width = FREEZING_END - FREEZING_START
-    rising = step(jnp.where(below, 2.0 / band.first * x - 1.0, (x - FREEZING_START) / width))
-    a = jnp.where(below, row.edge[0] * rising, a)
-    p = jnp.where(below, row.edge[1] + row.edge[2] * (x - band.first), p)
-    share = jnp.where(below, 0.0, rising)
-    amplitude = jnp.exp(a) * (bare + share * (row.series.frozen - bare))
-    return amplitude, row.constant + row.slope * x - (psi + p)
+    band: Band
+    grid: Grid
+    mass: Array
+    """Seconds that make x = 2 M f / m of a frequency."""
+    x: Array
+    place: Place
+    rising: Array
+    """Below the splines how much of the amplitude's residual is there; above, the share of its frozen constant."""
+    inside: Array
+    """Whether M f is in the band, ``(M,)``."""
+    branches: bool = False
+    """See :func:`bnserve_jax._elementary.computed_once`."""
+
+    @classmethod
+    def of(cls, knots: Knots, band: Band, grid: Grid, total_mass: Array, order: int, branches: bool = False) -> View:
+        """Of a binary of so many seconds, and of m = ``order``."""
+        mass = total_mass * (2.0 / order)
+        x = grid.f * mass
+        rising = jnp.where(
+            x < band.first, 2.0 / band.first * x - 1.0, (x - FREEZING_START) / (FREEZING_END - FREEZING_START)
+        )
+        inside = grid.f * total_mass <= band.last * (1.0 + EDGE)
+        return cls(band, grid, mass, x, knots.locate(grid.log + jnp.log(mass)), step(rising), inside, branches)
 
 
-def evaluate_beyond(row: CarrierRow, knots: Knots, band: Band, grid: Grid, mass: Array) -> tuple[Array, Array]:
-    """:func:`evaluate`, and beyond the band's end an amplitude that falls as f^(-10/3) and a straight phase."""
+class Tail(NamedTuple):
+    """What a carrier does beyond the band's end: its amplitude there, its phase, and the phase's slope in ln f."""
 
-    def at_end(scale: Array) -> tuple[Array, Array]:
-        amplitude, phase = evaluate(row, knots, band, Grid.of(scale[None] * (band.last / mass)), mass)
-        return amplitude[0], phase[0]
+    top: Array
+    end: Array
+    slope: Array
 
-    (top, end), (_, slope) = jax.jvp(at_end, (jnp.ones(()),), (jnp.ones(()),))
-    ratio = grid.f * mass / band.last
-    amplitude, phase = evaluate(row, knots, band, grid, mass)
-    beyond = ratio > 1.0
-    falling = top * (band.last / mass) ** (10.0 / 3.0) * grid.phase_power**2
-    return jnp.where(beyond, falling, amplitude), jnp.where(beyond, end + slope * (ratio - 1.0), phase)
+    @classmethod
+    def of(cls, row: CarrierRow, knots: Knots, band: Band) -> Tail:
+        """Of one binary."""
+
+        def at_end(scale: Array) -> tuple[Array, Array]:
+            view = View.of(knots, band, Grid.of(scale[None] * band.last), jnp.ones(()), 2)
+            parts = Parts.of(row, None, view)
+            return parts.amplitude(view)[0], parts.phase[0]
+
+        (top, end), (_, slope) = jax.jvp(at_end, (jnp.ones(()),), (jnp.ones(()),))
+        return cls(top, end, slope)
+
+
+class Parts(NamedTuple):
+    """What amplitude and phase are made of: linear in a row and its tail, as one :class:`View` sees them."""
+
+    bare: Array
+    """The series' amplitude, ``(M,)``."""
+    frozen: Array
+    """Its constant at high frequency, one number."""
+    residual: Array
+    """Of ln A, ``(M,)``."""
+    top: Array
+    """The amplitude at the band's end, one number."""
+    phase: Array
+    """In radians, ``(M,)``."""
+
+    @classmethod
+    def of(cls, row: CarrierRow, tail: Tail | None, view: View) -> Parts:
+        """Below the splines the amplitude's residual fades out and the phase's goes on as a straight line.
+
+        Beyond the band's end the phase is a straight line, too, where a tail is given.
+        """
+        x, first, last = view.x, view.band.first, view.band.last
+        bare, psi = row.series.evaluate(view.grid, view.mass)
+        a, p = evaluate(row.cubics, view.place, view.branches)
+        a = jnp.where(x < first, row.edge[0] * view.rising, a)
+        p = jnp.where(x < first, row.edge[1] + row.edge[2] * (x - first), p)
+        phase = row.constant + row.slope * x - (psi + p)
+        if tail is None:
+            return cls(bare, row.series.frozen, a, jnp.zeros(()), phase)
+        beyond = tail.end + tail.slope * (x / last - 1.0)
+        return cls(bare, row.series.frozen, a, tail.top, jnp.where(x > last, beyond, phase))
+
+    def amplitude(self, view: View, *, falls: bool = False) -> Array:
+        """``(M,)``, in 1/Hz; zero above the band's end in M f.
+
+        Parameters
+        ----------
+        view
+            The one that these parts were made with.
+        falls
+            Beyond the band's end in x it falls as f^(-10/3).
+        """
+        x, band = view.x, view.band
+        share = jnp.where(x < band.first, 0.0, view.rising)
+        found = jnp.exp(self.residual) * (self.bare + share * (self.frozen - self.bare))
+        if falls:
+            falling = self.top * (band.last / view.mass) ** (10.0 / 3.0) * view.grid.phase_power**2
+            found = jnp.where(x > band.last, falling, found)
+        return jnp.where(view.inside, found, 0.0 * self.frozen)

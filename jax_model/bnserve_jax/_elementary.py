@@ -5,11 +5,12 @@ On any device they are the same polynomials, those of :mod:`bnserve_surrogate.ke
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import Any
 
 import jax
 import jax.numpy as jnp
-from jax import Array
+from jax import Array, lax
 
 _TWO_OVER_PI = 0.6366197723675814
 _HALF_PI = (1.57079632673412561417e00, 6.07710050630396597660e-11, 2.02226624879595063154e-21)
@@ -53,3 +54,32 @@ def sine_cosine(x: Array) -> tuple[Array, Array]:
 def _slopes(primals: tuple[Array], tangents: tuple[Array]) -> tuple[tuple[Array, Array], tuple[Array, Array]]:
     sine, cosine = sine_cosine(*primals)
     return (sine, cosine), (cosine * tangents[0], -sine * tangents[0])
+
+
+def taken(values: Array, which: Array) -> Array:
+    """``values[which]`` of places that there are: not checked, not counted from the end."""
+    found: Array = values.at[which].get(mode="promise_in_bounds", wrap_negative_indices=False)
+    return found
+
+
+def computed_once(function: Callable[[], Any], branch: bool) -> Any:
+    """What a function returns, as arrays that lie in memory, for all that is made of them.
+
+    XLA's compiler for processors computes what is used twice where it is used, twice, and makes no vectors of what it
+    looks up on the way. What a conditional branch returns it leaves alone, as long as it does not know which is taken.
+
+    Parameters
+    ----------
+    function
+        Without arguments.
+    branch
+        Whether it is put into a branch; the compilers of other devices share by themselves.
+    """
+    if not branch:
+        return function()
+    like = jax.eval_shape(function)
+
+    def never() -> Any:
+        return jax.tree.map(lambda array: jnp.zeros(array.shape, array.dtype), like)
+
+    return lax.cond(lax.optimization_barrier(jnp.ones((), bool)), function, never)

@@ -14,10 +14,11 @@ from jax import Array, lax
 from jax.typing import ArrayLike
 
 from bnserve_jax._carrier import Alignment, Band
-from bnserve_jax._modes import Form, Row, carrier_of, mode_slopes, mode_strain, polarizations, prepare, ratio_of
+from bnserve_jax._modes import Form, Row, carrier_of, mode_strain, polarizations, prepare, with_tail
 from bnserve_jax._parameters import Binary, BinaryLike, as_binary, as_frequencies, is_evaluated, named_parameters
 from bnserve_jax._points import Grid
 from bnserve_jax._precision import require_double_precision
+from bnserve_jax._slopes import strain_and_slopes
 from bnserve_jax._weights import Tensors, Weights, read_weights
 from bnserve_protocol import (
     DERIVATIVE_NAMES,
@@ -26,9 +27,9 @@ from bnserve_protocol import (
     EvaluationOptions,
     Mode,
     ModelDescription,
+    check_names,
     chosen_modes,
 )  # fmt: skip
-from bnserve_protocol._batches import check_names
 from bnserve_store import Artifact, ModelStore
 from bnserve_surrogate import Model as LocalModel
 from bnserve_surrogate import SurrogateMetadata
@@ -208,14 +209,19 @@ class Chosen(NamedTuple):
 def _compiled(evaluate: Any, chosen: Chosen, weights: Weights, grid: Grid, parameters: dict[str, ArrayLike]) -> Any:
     binaries = as_binary(parameters)
 
-    def one(binary: Binary) -> Any:
-        return evaluate(chosen, weights, grid, binary)
+    def one(branches: bool, binary: Binary) -> Any:
+        own = chosen._replace(form=chosen.form._replace(branches=branches))
+        return evaluate(own, weights, grid, binary)
 
     shape = binaries["mass_ratio"].shape
     if not shape:
-        return one(binaries)
+        return lax.platform_dependent(binaries, cpu=partial(one, True), default=partial(one, False))
     rows = {name: values.reshape(-1) for name, values in binaries.items()}
-    found = lax.platform_dependent(rows, cpu=partial(lax.map, one, batch_size=_TOGETHER), default=jax.vmap(one))
+    found = lax.platform_dependent(
+        rows,
+        cpu=partial(lax.map, partial(one, True), batch_size=_TOGETHER),
+        default=jax.vmap(partial(one, False)),
+    )
     return jax.tree.map(lambda values: values.reshape(*shape, *values.shape[1:]), found)
 
 
@@ -230,7 +236,7 @@ def _prepared(chosen: Chosen, weights: Weights, grid: Grid, binary: Binary) -> R
         carrier, known = carrier._replace(constant=carrier.constant + turn), known & reached
     series, factor = carrier.series, jnp.where(known, 1.0, jnp.nan)
     series = series._replace(amplitude=series.amplitude * factor, frozen=series.frozen * factor)
-    return row._replace(carrier=carrier._replace(series=series))
+    return with_tail(weights, chosen.form, row._replace(carrier=carrier._replace(series=series)), chosen.modes)
 
 
 def _turn_to(frequency: float, form: Form, weights: Weights, row: Row, binary: Binary) -> tuple[Array, Array]:
@@ -255,14 +261,11 @@ def _amplitude_phase(chosen: Chosen, weights: Weights, grid: Grid, binary: Binar
 
 
 def _derivatives(chosen: Chosen, weights: Weights, grid: Grid, binary: Binary) -> tuple[Array, Array]:
-    (mode,) = chosen.modes
+    def prepared(changed: Array) -> Row:
+        return _prepared(chosen, weights, grid, binary | dict(zip(chosen.names, changed, strict=True)))
 
-    def parts(changed: Array) -> tuple[Array, ...]:
-        row = _prepared(chosen, weights, grid, binary | dict(zip(chosen.names, changed, strict=True)))
-        ratio = ratio_of(weights, chosen.form, row, grid, mode)
-        return *carrier_of(weights, chosen.form, row, grid, mode[1]), *ratio
-
-    return mode_slopes(parts, jnp.stack([binary[name] for name in chosen.names]), mode[1])
+    changed = jnp.stack([binary[name] for name in chosen.names])
+    return strain_and_slopes(weights, chosen.form, prepared, changed, grid, chosen.modes[0])
 
 
 def _form(metadata: SurrogateMetadata, tensors: Tensors) -> Form:

@@ -2,23 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from math import pi
 from typing import NamedTuple, TypeAlias
 
-import jax
 import jax.numpy as jnp
 import numpy as np
 from jax import Array, lax
 
-from bnserve_jax._carrier import Alignment, Band, CarrierRow, evaluate, evaluate_beyond
-from bnserve_jax._elementary import sine_cosine
+from bnserve_jax._carrier import Alignment, Band, CarrierRow, Parts, Tail, View
+from bnserve_jax._elementary import computed_once, sine_cosine
 from bnserve_jax._parameters import Binary
 from bnserve_jax._points import Grid
 from bnserve_jax._regression import coordinates, outputs
-from bnserve_jax._weights import Weights, name_of
+from bnserve_jax._splines import Cubics, evaluate
+from bnserve_jax._weights import Pair, Weights, name_of
 from bnserve_protocol import SOLAR_MASS_SECONDS, Mode
-from bnserve_surrogate.kernel import EDGE, harmonic
+from bnserve_surrogate.kernel import harmonic
 
 Complex: TypeAlias = tuple[Array, Array]
 """Real and imaginary part: compilers make vectors of real numbers."""
@@ -35,6 +34,8 @@ class Form(NamedTuple):
     """Of the Chebyshev polynomials, by the name of the mode."""
     powers: tuple[tuple[str, int], ...]
     """Of v in the ratios."""
+    branches: bool = False
+    """See :func:`bnserve_jax._elementary.computed_once`."""
 
 
 class Row(NamedTuple):
@@ -43,30 +44,45 @@ class Row(NamedTuple):
     mass: Array
     """In seconds."""
     carrier: CarrierRow
-    ratios: dict[str, Array]
-    """``(8, cells)``: of both parts of each mode's ratio to its carrier."""
+    ratios: dict[str, Cubics]
+    """Of both parts of each mode's ratio to its carrier."""
+    tail: Tail | None
+    """Of the carrier, where a mode of m = 1 sees it beyond the band's end."""
+
+    def tail_of(self, order: int) -> Tail | None:
+        """That of the carrier which modes of m = ``order`` see."""
+        return self.tail if order == 1 else None
 
 
 def prepare(weights: Weights, form: Form, binary: Binary, modes: tuple[Mode, ...], alignment: Alignment) -> Row:
     """Everything of a binary that does not depend on frequency."""
     carrier, degrees = weights.carrier, dict(form.degrees)
     u = coordinates(carrier, binary, form.coordinates, form.least_lambda)
-    own = outputs(carrier.pair.regressor, u, degrees["22"], form.activation)
-    row = CarrierRow.of(binary, own @ carrier.pair.synthesis, own @ carrier.ends, form.band, alignment)
+    own = outputs(carrier.pair.regressor, u, degrees["22"], form.activation, form.branches)
+    row = CarrierRow.of(binary, _cubics(carrier.pair, own), carrier.ends.T @ own, form.band, alignment)
     ratios = {}
     for name in (name_of(mode) for mode in modes if mode != (2, 2)):
         pair = weights.ratios[name]
-        ratios[name] = (outputs(pair.regressor, u, degrees[name], form.activation) @ pair.synthesis).reshape(8, -1)
-    return Row(binary["total_mass"] * SOLAR_MASS_SECONDS, row, ratios)
+        ratios[name] = _cubics(pair, outputs(pair.regressor, u, degrees[name], form.activation, form.branches))
+    return Row(binary["total_mass"] * SOLAR_MASS_SECONDS, row, ratios, None)
+
+
+def _cubics(pair: Pair, own: Array) -> Cubics:
+    return pair.knots.cubics((own @ pair.synthesis).reshape(4, -1))
+
+
+def with_tail(weights: Weights, form: Form, row: Row, modes: tuple[Mode, ...]) -> Row:
+    """A row whose carrier is final, with its tail where one of the modes sees it."""
+    if all(order != 1 for _, order in modes):
+        return row
+    return row._replace(tail=Tail.of(row.carrier, weights.carrier.pair.knots, form.band))
 
 
 def carrier_of(weights: Weights, form: Form, row: Row, grid: Grid, order: int) -> tuple[Array, Array]:
     """Amplitude and phase of the (2, 2) at x = 2 M f / m; the band's end in M f is that of all modes."""
-    mass, knots = row.mass * (2.0 / order), weights.carrier.pair.knots
-    one = evaluate_beyond if order == 1 else evaluate
-    amplitude, phase = one(row.carrier, knots, form.band, grid, mass)
-    inside = grid.f * row.mass <= form.band.last * (1.0 + EDGE)
-    return jnp.where(inside, amplitude, 0.0 * row.carrier.series.frozen), phase
+    view = View.of(weights.carrier.pair.knots, form.band, grid, row.mass, order, form.branches)
+    parts = Parts.of(row.carrier, row.tail_of(order), view)
+    return parts.amplitude(view, falls=order == 1), parts.phase
 
 
 def ratio_of(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) -> Complex:
@@ -76,16 +92,22 @@ def ratio_of(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) -> 
     name, mass = name_of(mode), row.mass * (2.0 / mode[1])
     knots = weights.ratios[name].knots
     x = jnp.clip(grid.log + jnp.log(mass), knots.places[0], knots.places[-1])
-    real, imaginary = knots.evaluate(row.ratios[name], x)
+    real, imaginary = evaluate(row.ratios[name], knots.locate(x), form.branches)
     v = jnp.minimum(grid.cube_root * (pi * mass) ** (1.0 / 3.0), (pi * form.band.last) ** (1.0 / 3.0))
     factor = v ** dict(form.powers)[name]
     return factor * real, factor * imaginary
 
 
-def turned(amplitude: Array, phase: Array, order: int) -> Complex:
-    """A exp(i m phi / 2)."""
-    sine, cosine = sine_cosine(0.5 * order * phase)
-    return amplitude * cosine, amplitude * sine
+def turned(weights: Weights, form: Form, row: Row, grid: Grid, order: int) -> Complex:
+    """A exp(i m phi / 2) of the carrier that modes of m = ``order`` see."""
+
+    def carrier() -> Array:
+        amplitude, phase = carrier_of(weights, form, row, grid, order)
+        sine, cosine = sine_cosine(0.5 * order * phase)
+        return lax.complex(amplitude * cosine, amplitude * sine)
+
+    found = computed_once(carrier, form.branches)
+    return found.real, found.imag
 
 
 def polarizations(
@@ -94,7 +116,7 @@ def polarizations(
     """h_plus and h_cross, complex ``(M,)`` in 1/Hz: the sum over the modes and their mirror images."""
     real = imaginary = jnp.zeros((2, 1))
     for order in sorted({mode[1] for mode in modes}):
-        carrier = turned(*carrier_of(weights, form, row, grid, order), order)
+        carrier = turned(weights, form, row, grid, order)
         own = (jnp.zeros((2, 1)), jnp.zeros((2, 1)))
         for mode in (mode for mode in modes if mode[1] == order):
             factor = jnp.stack(factors(mode, inclination))[:, jnp.newaxis]
@@ -107,37 +129,8 @@ def polarizations(
 
 def mode_strain(weights: Weights, form: Form, row: Row, grid: Grid, mode: Mode) -> Array:
     """h_lm, complex ``(M,)``, normalised as the strain of the (2, 2) of a face-on source."""
-    carrier = turned(*carrier_of(weights, form, row, grid, mode[1]), mode[1])
+    carrier = turned(weights, form, row, grid, mode[1])
     return lax.complex(*product(ratio_of(weights, form, row, grid, mode), carrier))
-
-
-def mode_slopes(parts: Callable[[Array], tuple[Array, ...]], changed: Array, order: int) -> tuple[Array, Array]:
-    """h_lm, ``(M,)``, and its derivatives, ``(P, M)``, with respect to P numbers.
-
-    Amplitude, phase and ratio are differentiated, and not h, whose sine and cosine are the same in every derivative.
-
-    Parameters
-    ----------
-    parts
-        From the numbers to A, phi and both parts of the ratio.
-    changed
-        The numbers, ``(P,)``.
-    order
-        m.
-    """
-
-    def along(direction: Array) -> tuple[Array, ...]:
-        slopes: tuple[Array, ...] = jax.jvp(parts, (changed,), (direction,))[1]
-        return slopes
-
-    amplitude, phase, *ratio = parts(changed)
-    slopes = jax.vmap(along)(jnp.eye(len(changed)))
-    of_amplitude, of_phase, *of_ratio = (slope.reshape(len(changed), -1) for slope in slopes)  # of (2, 2) one number
-    unit = turned(jnp.ones(()), phase, order)
-    own = product((ratio[0], ratio[1]), (of_amplitude, 0.5 * order * amplitude * of_phase))
-    whole = product((own[0] + amplitude * of_ratio[0], own[1] + amplitude * of_ratio[1]), unit)
-    h = product((ratio[0], ratio[1]), (amplitude * unit[0], amplitude * unit[1]))
-    return lax.complex(*h), lax.complex(*whole)
 
 
 def product(one: Complex, other: Complex) -> Complex:

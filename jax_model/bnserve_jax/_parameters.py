@@ -22,8 +22,8 @@ from bnserve_protocol import (
     InvalidFrequencies,
     InvalidParameters,
     ParametersWithExtrinsic,
+    check_names,
 )
-from bnserve_protocol._batches import check_names
 from bnserve_surrogate.kernel import LEAST_MF, MOST_PHASE
 
 Binary: TypeAlias = dict[str, Array]

@@ -10,7 +10,7 @@ import numpy as np
 from jax import Array
 from numpy.typing import NDArray
 
-from bnserve_jax._splines import Knots, cubics
+from bnserve_jax._splines import Knots, cubics, values_and_bends
 from bnserve_protocol import Mode, ParameterDescription
 from bnserve_surrogate import SurrogateMetadata
 
@@ -39,7 +39,7 @@ class Pair(NamedTuple):
     regressor: Regressor
     knots: Knots
     synthesis: Array
-    """``(K + 1, 8 * cells)``: what one and each output add to both cubics: power by power, cell by cell."""
+    """``(K + 1, 4 * knots)``: what one and each output add to values and second derivatives of both at the knots."""
 
 
 class Carrier(NamedTuple):
@@ -113,7 +113,7 @@ def _rows(own: Tensors) -> Floats:
 def _pair(own: Tensors, first: tuple[Floats, Floats], second: tuple[Floats, Floats]) -> Pair:
     knots = np.union1d(first[0], second[0])
     knots = knots[(knots >= max(first[0][0], second[0][0])) & (knots <= min(first[0][-1], second[0][-1]))]
-    both = np.concatenate([cubics(*first, knots), cubics(*second, knots)], axis=1)
+    both = np.concatenate([values_and_bends(*first, knots), values_and_bends(*second, knots)], axis=1)
     return Pair(_regressor(own), Knots.of(knots), jnp.asarray(both.reshape(len(both), -1)))
 
 

@@ -28,7 +28,7 @@ from bnserve_protocol._analysis_settings import (
     TimeMarginalisation,
     time_steps,
 )
-from bnserve_protocol._batches import BatchLike, ParameterBatch
+from bnserve_protocol._batches import BatchLike, ParameterBatch, check_names
 from bnserve_protocol._constants import MEGAPARSEC_SECONDS, SOLAR_MASS_SECONDS
 from bnserve_protocol._conversion import convert
 from bnserve_protocol._derivative_coordinates import COORDINATES, DERIVATIVE_NAMES, coordinate_jacobian
@@ -187,13 +187,13 @@ __all__ = [
     "TooLarge", "Unauthorized", "Unavailable", "UndecodableBody", "UniformGrid", "UnsupportedMediaType",
     "UntrustedAnswer", "VersionExists", "WaveformModel", "__version__", "as_frequencies", "as_numbers",
     "as_real_number", "as_real_numbers", "by_given_names", "check_arms", "check_band", "check_detector_names",
-    "check_dtype", "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_options",
-    "check_prior", "check_settings", "check_table", "chosen_modes", "convert", "coordinate_jacobian", "decode_analysis",
-    "decode_network", "encode_analysis", "forecast_batch", "forecast_work", "from_triangle", "gradient_names",
-    "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples", "nearest_name", "nothing_integrated",
-    "plain_grid", "plain_options", "predict_time_domain", "printable", "random_numbers", "read_table", "refuse_rows",
-    "require", "samples_of", "the_mode", "time_domain_steps", "time_steps", "time_until_merger", "triangle",
-    "turn_to_reference",
+    "check_dtype", "check_invalid_rows", "check_location", "check_model_digest", "check_model_of", "check_names",
+    "check_options", "check_prior", "check_settings", "check_table", "chosen_modes", "convert", "coordinate_jacobian",
+    "decode_analysis", "decode_network", "encode_analysis", "forecast_batch", "forecast_work", "from_triangle",
+    "gradient_names", "grid_digest", "integrated_names", "likelihood_nodes", "likelihood_samples", "nearest_name",
+    "nothing_integrated", "plain_grid", "plain_options", "predict_time_domain", "printable", "random_numbers",
+    "read_table", "refuse_rows", "require", "samples_of", "the_mode", "time_domain_steps", "time_steps",
+    "time_until_merger", "triangle", "turn_to_reference",
 ]  # fmt: skip  # each has a line of its own above
 
 if not typing.TYPE_CHECKING:

@@ -141,6 +141,26 @@ def test_gradients_go_backwards_too(model):
     assert float(gradient["lambda_1"]) == pytest.approx(float(expected), rel=1e-7)
 
 
+def test_derivatives_have_derivatives_in_any_order(model):
+    given, f = ParametersWithExtrinsic.gw170817(), FREQUENCIES[::60]
+    start = {name: float(getattr(given, name)) for name in PARAMETER_NAMES}
+    names = ("mass_ratio", "chi_1")
+
+    def strain(values):
+        return model.predict_mode(f, start | dict(zip(names, values, strict=True)))
+
+    def slopes(values):
+        return model.predict_derivatives(f, start | dict(zip(names, values, strict=True)), names)[1]
+
+    at = jnp.asarray([start[name] for name in names])
+    once, twice = jax.jit(lambda v: (jax.jacfwd(strain)(v), jax.jacfwd(slopes)(v)))(at)
+    assert worst(once.T, slopes(at)) < 1e-8
+    assert worst(twice[0, :, 1], twice[1, :, 0]) < 1e-8
+    backwards = jax.jit(jax.hessian(lambda v: jnp.sum(jnp.abs(strain(v) * 1e22) ** 2)))(at)
+    whole = 2.0 * jnp.real(jnp.conj(once.T[:, None]) * once.T[None] + jnp.conj(strain(at)) * twice.transpose(0, 2, 1))
+    assert worst(backwards, whole.sum(-1) * 1e44) < 1e-4  # phases cancel, whose slopes are 1e5 radians
+
+
 def test_batches_of_any_shape_are_what_each_row_is_alone(model):
     given = binaries(model.description, 20)
     table = {name: values.reshape(4, 5) for name, values in given.items()} | {"distance_mpc": 100.0}
@@ -196,3 +216,14 @@ def test_splines_find_their_cells_in_a_uniform_table():
     cell, t = Knots.of(knots).locate(jnp.asarray(x))
     assert np.array_equal(cell, np.clip(np.searchsorted(knots, x, side="right") - 1, 0, 48))
     assert np.array_equal(t, x - knots[np.asarray(cell)])
+
+
+def test_splines_are_those_of_their_values_and_second_derivatives():
+    from bnserve_jax._splines import Knots, cubics, values_and_bends
+
+    random = np.random.default_rng(2)
+    cells = np.sort(random.uniform(-10.0, -3.0, 50))
+    knots, rows = cells[[0, *range(3, 49, 3), 49]], random.normal(size=(2, 18))
+    both = values_and_bends(knots, rows, cells)
+    found = np.asarray(Knots.of(cells).cubics(jnp.asarray(both.reshape(4, -1))))
+    assert np.abs(found - cubics(knots, rows, cells).reshape(8, -1)).max() < 1e-9 * np.abs(found).max()
