@@ -224,7 +224,7 @@ def sampled(
 
     sites = [Detector.named(name) for name in case.detectors]
     problem = Problem(
-        lambda u: bound.log_likelihood(batch_of(u)), len(cube), coordinates_of(cube, sites), cube.periodic(),
+        lambda u: bound.log_likelihood(batch_of(u)), len(cube), coordinates_of(cube, sites),
         twins_of(cube, sites),
     )  # fmt: skip
     found = sample(problem, settings, progress=lambda now: print(*now, file=sys.stderr, flush=True))

@@ -96,10 +96,7 @@ def run(
     likelihood = bound_likelihood(model, analysis)
     sites = [Detector.named(name) for name in setting.DETECTORS]
     problem = Problem(
-        lambda u: likelihood.log_likelihood(cube.batch(cube(u))),
-        len(cube),
-        coordinates_of(cube, sites),
-        cube.periodic(),
+        lambda u: likelihood.log_likelihood(cube.batch(cube(u))), len(cube), coordinates_of(cube, sites)
     )
     found = sampled(problem, replace(settings, seed=seed))
     truth, values = ranked(LikelihoodBatch.coerce(signal)), ranked(cube.batch(cube(found.points)))

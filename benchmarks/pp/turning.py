@@ -126,9 +126,7 @@ def run(seed: int, model: Model, settings: Settings, response: ResponseName = "m
         {**cube(u), "luminosity_distance": np.ones(len(u))}
     )
     sites = [Detector.named(name) for name in CASE.detectors]
-    problem = Problem(
-        lambda u: bound.log_likelihood(batch_of(u)), len(cube), coordinates_of(cube, sites), cube.periodic()
-    )
+    problem = Problem(lambda u: bound.log_likelihood(batch_of(u)), len(cube), coordinates_of(cube, sites))
     found = sampled(problem, replace(settings, seed=seed))
     ranks = dict(zip(cube.names, found.weights @ (found.points < truth), strict=True))
     drawn = bound.draw_marginalised(batch_of(found.points), seed=seed).parameters

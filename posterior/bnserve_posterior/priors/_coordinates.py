@@ -19,9 +19,11 @@ from numpy.typing import NDArray
 from scipy.special import ndtr, ndtri
 
 from bnserve_inference import Detector
+from bnserve_posterior.priors._circular import Polarisations
 from bnserve_posterior.priors._cube import PriorCube
+from bnserve_posterior.priors._quantiles import log_density, quantiles
 from bnserve_posterior.priors._sky import SkyFrame, sky_axis
-from bnserve_posterior.sampling import Coordinates
+from bnserve_posterior.sampling import Coordinates, log_normal
 from bnserve_protocol import SOLAR_MASS_SECONDS
 
 Floats = NDArray[np.float64]
@@ -70,6 +72,7 @@ class _Masses:
     def __init__(self, cube: PriorCube) -> None:
         self._cube, self._place = cube, {name: cube.names.index(name) for name in ("chirp_mass", "chi_1")}
         self.columns = tuple(self._place.values())
+        self.circles: tuple[int, ...] = ()
 
     def forward(self, y: Floats, values: Values) -> Floats:
         phases = _phases(values["chirp_mass"], _heavier(values))
@@ -93,7 +96,7 @@ class _Masses:
         slope = np.array([-5.0 / 3.0, -1.0, -2.0 / 3.0])[:, None] * np.array([phases.zeroth, phases.second, third])
         along = [np.tensordot(np.array(row), slope, 1) for row in (_FIRST, _SECOND)]
         determinant = phases.along_1 / values["chirp_mass"] * (along[0] * _SECOND[2] - along[1] * _FIRST[2])
-        densities = [_log_density(self._cube, name, values[name]) for name in self._place]
+        densities = [log_density(self._cube, name, values[name]) for name in self._place]
         return np.asarray(densities[0] + densities[1] - np.log(np.abs(determinant)))
 
 
@@ -122,17 +125,18 @@ class _Tides:
     def __init__(self, cube: PriorCube) -> None:
         self._cube, self._place = cube, cube.names.index("lambda_1")
         self.columns = (self._place,)
+        self.circles: tuple[int, ...] = ()
 
     def forward(self, y: Floats, values: Values) -> Floats:
         heavy, light = self._weights(values)
         y[:, self._place] = heavy * values["lambda_1"] + light * values["lambda_2"]
-        return _log_density(self._cube, "lambda_1", values["lambda_1"]) - np.log(heavy)
+        return log_density(self._cube, "lambda_1", values["lambda_1"]) - np.log(heavy)
 
     def backward(self, u: Floats, y: Floats, values: dict[str, Floats]) -> Floats:
         heavy, light = self._weights(values)
         values["lambda_1"] = (y[:, self._place] - light * values["lambda_2"]) / heavy
         u[:, self._place] = quantiles(self._cube, "lambda_1", values["lambda_1"])
-        return _log_density(self._cube, "lambda_1", values["lambda_1"]) - np.log(heavy)
+        return log_density(self._cube, "lambda_1", values["lambda_1"]) - np.log(heavy)
 
     def _weights(self, values: Values) -> tuple[Floats, Floats]:
         q = _heavier(values)
@@ -148,42 +152,42 @@ class _Sky:
     def __init__(self, cube: PriorCube, axis: Floats, first: Detector) -> None:
         self._cube, self._frame = cube, SkyFrame(axis, first.location, cube.trigger_time)
         timed = ("coalescence_time",) if "coalescence_time" in cube.names else ()
-        self.columns = tuple(cube.names.index(name) for name in ("ra", "dec", *timed))
+        self.columns = tuple(cube.names.index(name) for name in ("dec", "ra", *timed))
+        self.circles, self._lines = self.columns[1:2], [*self.columns[:1], *self.columns[2:]]
         if timed:
             prior = cube.priors["coalescence_time"]
             self._from, self._width = prior.minimum - _EARTH, prior.maximum - prior.minimum + 2.0 * _EARTH
 
     def forward(self, y: Floats, values: Values) -> Floats:
         cosine, azimuth, delay = self._frame.angles(values["ra"], values["dec"])
-        unit = [0.5 * (1.0 + cosine), azimuth / (2.0 * np.pi)]
+        y[:, self.circles[0]] = azimuth / (2.0 * np.pi)
+        unit = [0.5 * (1.0 + cosine)]
         if len(self.columns) == 3:
             unit.append((values["coalescence_time"] + delay - self._from) / self._width)
-        places = ndtri(np.clip(np.stack(unit, axis=1), _EDGE, 1.0 - _EDGE))
-        y[:, self.columns] = places
-        return self._log_volume(places, values)
+        y[:, self._lines] = ndtri(np.clip(np.stack(unit, axis=1), _EDGE, 1.0 - _EDGE))
+        return self._log_volume(y, values)
 
     def backward(self, u: Floats, y: Floats, values: dict[str, Floats]) -> Floats:
-        places = y[:, self.columns]
-        unit = ndtr(places)
-        values["ra"], values["dec"], delay = self._frame.place(2.0 * unit[:, 0] - 1.0, 2.0 * np.pi * unit[:, 1])
-        names = ["ra", "dec"]
+        unit, azimuth = ndtr(y[:, self._lines]), 2.0 * np.pi * y[:, self.circles[0]]
+        values["ra"], values["dec"], delay = self._frame.place(2.0 * unit[:, 0] - 1.0, azimuth)
+        names = ["dec", "ra"]
         if len(self.columns) == 3:
-            values["coalescence_time"] = self._from + self._width * unit[:, 2] - delay
+            values["coalescence_time"] = self._from + self._width * unit[:, 1] - delay
             names.append("coalescence_time")
         for name, column in zip(names, self.columns, strict=True):
             u[:, column] = quantiles(self._cube, name, values[name])
-        return self._log_volume(places, values)
+        return self._log_volume(y, values)
 
-    def _log_volume(self, places: Floats, values: Values) -> Floats:
-        found = _log_normal(places)
+    def _log_volume(self, y: Floats, values: Values) -> Floats:
+        found = log_normal(y[:, self._lines])
         if len(self.columns) == 3:
             found = (
-                found + np.log(self._width) + _log_density(self._cube, "coalescence_time", values["coalescence_time"])
+                found + np.log(self._width) + log_density(self._cube, "coalescence_time", values["coalescence_time"])
             )
         return found
 
 
-_Block = _Masses | _Tides | _Sky
+_Block = _Masses | _Tides | _Sky | Polarisations
 
 
 def coordinates_of(cube: PriorCube, detectors: Sequence[Detector], *, tides: bool = True) -> Coordinates:
@@ -201,28 +205,32 @@ def coordinates_of(cube: PriorCube, detectors: Sequence[Detector], *, tides: boo
     axis = sky_axis(detectors)
     if axis is not None and isotropic(cube):
         blocks.append(_Sky(cube, axis, detectors[0]))
+    if (orientation := Polarisations.of(cube, detectors)) is not None:
+        blocks.append(orientation)
     taken = {column for block in blocks for column in block.columns}
-    plain = [column for column in range(len(cube)) if column not in taken]
+    circles = [column for column in cube.periodic() if column not in taken]
+    plain = [column for column in range(len(cube)) if column not in taken and column not in circles]
 
     def from_cube(u: Floats) -> tuple[Floats, Floats]:
         y, values = ndtri(np.clip(u, _EDGE, 1.0 - _EDGE)), cube(u)
-        volume = _log_normal(y[:, plain])
+        y[:, circles] = u[:, circles]
+        volume = log_normal(y[:, plain])
         for block in blocks:
             volume = volume + block.forward(y, values)
         return y, volume
 
     def to_cube(y: Floats) -> tuple[Floats, Floats]:
         u = np.empty_like(y)
-        u[:, plain] = ndtr(y[:, plain])
+        u[:, plain], u[:, circles] = ndtr(y[:, plain]), y[:, circles]
         values = {name: np.full(len(y), value) for name, value in cube.fixed.items()}
-        values |= {cube.names[column]: cube.rescaled(cube.names[column], u[:, column]) for column in plain}
-        volume = _log_normal(y[:, plain])
+        values |= {cube.names[column]: cube.rescaled(cube.names[column], u[:, column]) for column in (*plain, *circles)}
+        volume = log_normal(y[:, plain])
         with np.errstate(invalid="ignore", divide="ignore", over="ignore"):  # places of no binary are outside
             for block in blocks:
                 volume = volume + block.backward(u, y, values)
         return np.nan_to_num(u, nan=_OUTSIDE), volume
 
-    return Coordinates(from_cube, to_cube)
+    return Coordinates(from_cube, to_cube, (*circles, *(ring for block in blocks for ring in block.circles)))
 
 
 def isotropic(cube: PriorCube) -> bool:
@@ -234,19 +242,3 @@ def isotropic(cube: PriorCube) -> bool:
     ra, dec = cube.priors["ra"], cube.priors["dec"]
     whole = type(ra) is Uniform and math.isclose(ra.minimum, 0.0) and math.isclose(ra.maximum, 2.0 * math.pi)
     return whole and type(dec) is Cosine and math.isclose(dec.maximum - dec.minimum, math.pi)
-
-
-def quantiles(cube: PriorCube, name: str, values: Floats) -> Floats:
-    """Where in the cube a parameter has these values; outside of it where it cannot."""
-    prior = cube.priors[name]
-    inside = (values > prior.minimum) & (values < prior.maximum)
-    return np.where(inside, prior.cdf(np.where(inside, values, prior.minimum)), _OUTSIDE)
-
-
-def _log_density(cube: PriorCube, name: str, values: Floats) -> Floats:
-    prior = cube.priors[name]
-    return np.asarray(np.log(np.maximum(prior.prob(np.clip(values, prior.minimum, prior.maximum)), 1e-300)))
-
-
-def _log_normal(y: Floats) -> Floats:
-    return np.asarray(-0.5 * np.sum(y**2 + np.log(2.0 * np.pi), axis=1))

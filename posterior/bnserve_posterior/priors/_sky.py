@@ -19,6 +19,8 @@ _LIGHT_SPEED = 299792458.0
 _ONE_PLACE = 1e5
 """Metres; detectors that are closer are at one place: light takes 0.3 ms, which hardly is seen beside the antenna
 patterns, of triangles for example."""
+_FLAT = 0.02
+"""Of a tensor's part out of the plane: that the Earth is round is less."""
 _NEARLY_POLAR = 0.999
 """Of an axis: azimuths about it do not begin at the pole."""
 
@@ -68,3 +70,39 @@ class SkyFrame:
         right_ascension = np.mod(np.arctan2(direction[:, 1], direction[:, 0]) + self._sidereal, 2.0 * np.pi)
         delay = -(direction @ self._location) / _LIGHT_SPEED
         return right_ascension, np.arcsin(np.clip(direction[:, 2], -1.0, 1.0)), delay
+
+
+def common_plane(detectors: Sequence[Detector]) -> Floats | None:
+    """The upward normal ``(3,)`` of the plane in which all arms lie; None where there is none, or not one place."""
+    first = detectors[0]
+    normal = np.linalg.eigh(sum(one.response @ one.response for one in detectors))[1][:, 0]
+    if any(
+        np.linalg.norm(one.location - first.location) > _ONE_PLACE or np.linalg.norm(one.response @ normal) > _FLAT
+        for one in detectors
+    ):
+        return None
+    return np.asarray(normal if normal @ first.location > 0.0 else -normal)
+
+
+def wave_of(values: dict[str, Floats], sidereal: float) -> tuple[Floats, Floats]:
+    """Where a source is, and the first axis of its polarisation: unit vectors ``(N, 3)`` of the Earth's frame."""
+    hour = sidereal - values["ra"]
+    place, along, across = sky_frame(hour, values["dec"])
+    psi = values["psi"][:, None]
+    return place, np.cos(psi) * along + np.sin(psi) * across
+
+
+def sky_frame(hour: Floats, declination: Floats) -> tuple[Floats, Floats, Floats]:
+    sin_h, cos_h, sin_d, cos_d = np.sin(hour), np.cos(hour), np.sin(declination), np.cos(declination)
+    place = np.stack([cos_d * cos_h, -cos_d * sin_h, sin_d], axis=1)
+    along = np.stack([-sin_h, -cos_h, np.zeros_like(hour)], axis=1)
+    across = np.stack([-sin_d * cos_h, sin_d * sin_h, cos_d], axis=1)
+    return place, along, across
+
+
+def angles_of(place: Floats, axis: Floats, sidereal: float) -> dict[str, Floats]:
+    """The way back from :func:`_wave`."""
+    hour, declination = np.arctan2(-place[:, 1], place[:, 0]), np.arcsin(np.clip(place[:, 2], -1.0, 1.0))
+    _, along, across = sky_frame(hour, declination)
+    psi = np.arctan2(np.sum(axis * across, axis=1), np.sum(axis * along, axis=1))
+    return {"ra": np.mod(sidereal - hour, 2.0 * np.pi), "dec": declination, "psi": psi}

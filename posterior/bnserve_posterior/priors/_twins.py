@@ -15,16 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference import Detector, sidereal_time
-from bnserve_posterior.priors._coordinates import isotropic, quantiles
+from bnserve_posterior.priors._coordinates import isotropic
 from bnserve_posterior.priors._cube import PriorCube
+from bnserve_posterior.priors._quantiles import quantiles
+from bnserve_posterior.priors._sky import angles_of, common_plane, wave_of
 from bnserve_posterior.sampling import Twins
 
 Floats = NDArray[np.float64]
 
-_NEAR = 100e3
-"""Metres from one detector to another that are nothing: a third of a millisecond of light."""
-_FLAT = 0.02
-"""Of a tensor's part out of the plane: that the Earth is round is less."""
 _LIGHT_SPEED = 299792458.0
 
 
@@ -37,11 +35,8 @@ def twins_of(cube: PriorCube, detectors: Sequence[Detector]) -> Twins | None:
     if not (isotropic(cube) and _oriented_at_random(cube)):
         return None
     first = detectors[0]
-    normal = np.linalg.eigh(sum(one.response @ one.response for one in detectors))[1][:, 0]
-    if any(
-        np.linalg.norm(one.location - first.location) > _NEAR or np.linalg.norm(one.response @ normal) > _FLAT
-        for one in detectors
-    ):
+    normal = common_plane(detectors)
+    if normal is None:
         return None
     (turns, quarters), sidereal = _turns(normal), sidereal_time(cube.trigger_time)[0]
     low, high = cube.rescaled("psi", np.array([0.0, 1.0]))
@@ -49,9 +44,9 @@ def twins_of(cube: PriorCube, detectors: Sequence[Detector]) -> Twins | None:
     def hop(u: Floats, random: np.random.Generator) -> Floats:
         values, out = cube(u), u.copy()
         number = random.integers(len(turns), size=len(u))
-        here, axis = _wave(values, sidereal)
+        here, axis = wave_of(values, sidereal)
         there, turned = (np.einsum("nij,nj->ni", turns[number], vector) for vector in (here, axis))
-        found = _seen(there, turned, sidereal)
+        found = angles_of(there, turned, sidereal)
         psi = found.pop("psi") + 0.5 * np.pi * quarters[number]
         out[:, cube.names.index("psi")] = np.mod((psi - low) / (high - low), 1.0)
         mirrored = np.linalg.det(turns)[number] < 0.0
@@ -83,27 +78,3 @@ def _turns(normal: Floats) -> tuple[Floats, NDArray[np.int64]]:
     quarter = upright + cross
     found = [np.linalg.matrix_power(quarter, number) @ each for number in range(4) for each in (np.eye(3), mirror)]
     return np.array(found[1:]), np.array([number // 2 % 2 for number in range(1, 8)])
-
-
-def _wave(values: dict[str, Floats], sidereal: float) -> tuple[Floats, Floats]:
-    """Where a source is, and the first axis of its polarisation: unit vectors ``(N, 3)`` of the Earth's frame."""
-    hour = sidereal - values["ra"]
-    place, along, across = _frame(hour, values["dec"])
-    psi = values["psi"][:, None]
-    return place, np.cos(psi) * along + np.sin(psi) * across
-
-
-def _frame(hour: Floats, declination: Floats) -> tuple[Floats, Floats, Floats]:
-    sin_h, cos_h, sin_d, cos_d = np.sin(hour), np.cos(hour), np.sin(declination), np.cos(declination)
-    place = np.stack([cos_d * cos_h, -cos_d * sin_h, sin_d], axis=1)
-    along = np.stack([-sin_h, -cos_h, np.zeros_like(hour)], axis=1)
-    across = np.stack([-sin_d * cos_h, sin_d * sin_h, cos_d], axis=1)
-    return place, along, across
-
-
-def _seen(place: Floats, axis: Floats, sidereal: float) -> dict[str, Floats]:
-    """The way back from :func:`_wave`."""
-    hour, declination = np.arctan2(-place[:, 1], place[:, 0]), np.arcsin(np.clip(place[:, 2], -1.0, 1.0))
-    _, along, across = _frame(hour, declination)
-    psi = np.arctan2(np.sum(axis * across, axis=1), np.sum(axis * along, axis=1))
-    return {"ra": np.mod(sidereal - hour, 2.0 * np.pi), "dec": declination, "psi": psi}

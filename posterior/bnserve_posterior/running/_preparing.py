@@ -101,7 +101,7 @@ class Prepared:
         sites = [one.site() for one in self.data.detectors]
         coordinates = coordinates_of(self.cube, sites)
         log_likelihood = functools.partial(self.log_likelihood, evaluate=evaluate)
-        return Problem(log_likelihood, len(self.cube), coordinates, self.cube.periodic(), twins_of(self.cube, sites))
+        return Problem(log_likelihood, len(self.cube), coordinates, twins_of(self.cube, sites))
 
 
 def prepare(event: Event, model: WaveformModel, folder: Folder, *, signals: WaveformModel | None = None) -> Prepared:

@@ -9,7 +9,16 @@ from bnserve_posterior.sampling._errors import (
 )
 from bnserve_posterior.sampling._pareto import BELIEVED, pareto_k
 from bnserve_posterior.sampling._posterior import Posterior
-from bnserve_posterior.sampling._problem import PLAIN, Coordinates, Problem, Progress, Settings, Twins
+from bnserve_posterior.sampling._problem import (
+    PLAIN,
+    Coordinates,
+    Problem,
+    Progress,
+    Settings,
+    Twins,
+    log_normal,
+    plain,
+)
 from bnserve_posterior.sampling._sample import sample
 
 __all__ = [
@@ -26,6 +35,8 @@ __all__ = [
     "SamplingError",
     "Settings",
     "Twins",
+    "log_normal",
     "pareto_k",
+    "plain",
     "sample",
 ]

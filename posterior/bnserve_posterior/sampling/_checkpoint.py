@@ -17,7 +17,7 @@ from bnserve_posterior.sampling._mixture import Mixture
 from bnserve_posterior.sampling._population import Population
 from bnserve_posterior.sampling._problem import Problem, Settings
 from bnserve_posterior.sampling._proposals import Proposal
-from bnserve_posterior.sampling._turning import turned
+from bnserve_posterior.sampling._turning import opened
 
 Floats = NDArray[np.float64]
 _PROBES = 4
@@ -81,7 +81,7 @@ def read(path: Path, problem: Problem, identity: Floats) -> State:
 def identity_of(problem: Problem, settings: Settings, log_likelihood: Floats, points: Floats) -> Floats:
     """Numbers that differ between runs: their settings, and likelihoods and coordinates at :func:`probes`."""
     y, volumes = problem.coordinates.from_cube(points)
-    numbers = [problem.dimensions, *problem.periodic, *asdict(settings).values()]
+    numbers = [problem.dimensions, *problem.coordinates.circles, *asdict(settings).values()]
     return np.concatenate([np.array(numbers, dtype=np.float64), log_likelihood, y.ravel(), volumes])
 
 
@@ -104,7 +104,7 @@ def _state(arrays: dict[str, Any], problem: Problem) -> State:
         number = len(state.proposals)
         turns = arrays[f"turns.{number}"]
         bending, mixture = Bending(**part(f"bending.{number}")), Mixture(**part(f"mixture.{number}"))
-        state.proposals.append(Proposal(turns, turned(problem, turns), bending, mixture))
+        state.proposals.append(Proposal(turns, opened(problem.coordinates, turns), bending, mixture))
     if population := part("population"):
         state.population = Population(**population)
     if draws := part("draws"):

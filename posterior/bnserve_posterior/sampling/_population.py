@@ -21,7 +21,7 @@ from bnserve_posterior.sampling._errors import LikelihoodEmpty
 from bnserve_posterior.sampling._evaluation import Evaluator
 from bnserve_posterior.sampling._problem import Coordinates
 from bnserve_posterior.sampling._proposals import Proposal, inside
-from bnserve_posterior.sampling._turning import emptiest, turned
+from bnserve_posterior.sampling._turning import emptiest, opened
 
 Floats = NDArray[np.float64]
 _EFFECTIVE = 0.5
@@ -82,7 +82,7 @@ def advance(evaluate: Evaluator, now: Population, particles: int, random: np.ran
     """One step of the power, and moves."""
     now = _reweigh(now, particles, random)
     uniform = np.full(particles, 1.0 / particles)
-    coordinates = turned(evaluate.problem, emptiest(now.points, uniform, evaluate.problem))
+    coordinates = opened(evaluate.problem.coordinates, emptiest(now.points, uniform, evaluate.problem.coordinates))
     moved = np.zeros(particles, dtype=bool)
     for _ in range(_ROUNDS):
         before = now.points

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -20,29 +20,54 @@ _LOWEST, _HIGHEST = 1e-300, 1.0 - 2.0**-53
 
 
 class Coordinates(NamedTuple):
-    """From the unit cube and back; each also gives ln of the volume ``abs(du / dy)``, ``(N,)``."""
+    """From the unit cube and back; each also gives ln of the volume ``abs(du / dy)``, ``(N,)``.
+
+    Columns of ``circles`` are places on a circle, from 0 to 1, where they begin anew.
+    """
 
     from_cube: Transform
     to_cube: Transform
+    circles: tuple[int, ...] = ()
 
 
 def normal_quantiles(points: Floats) -> tuple[Floats, Floats]:
     """Where a normal distribution reaches each column, ``(N, D)``, and ln of the volume, ``(N,)``."""
     y = ndtri(np.clip(points, _LOWEST, _HIGHEST))
-    return y, _log_normal(y)
+    return y, log_normal(y)
 
 
 def normal_probabilities(y: Floats) -> tuple[Floats, Floats]:
     """The way back."""
-    return ndtr(y), _log_normal(y)
+    return ndtr(y), log_normal(y)
 
 
-def _log_normal(y: Floats) -> Floats:
+def log_normal(y: Floats) -> Floats:
+    """ln of the density of standard normal columns ``(N, D)``, ``(N,)``."""
     return np.asarray(-0.5 * np.sum(y**2 + np.log(2.0 * np.pi), axis=1))
 
 
-PLAIN = Coordinates(normal_quantiles, normal_probabilities)
-"""Where a normal distribution reaches each column of the cube: posteriors at an edge of the prior have none there."""
+def plain(circles: Sequence[int] = ()) -> Coordinates:
+    """Where a normal distribution reaches each column of the cube, so that posteriors at an edge of the prior have none
+    there; columns of ``circles`` as they are."""
+    rings = list(circles)
+
+    def from_cube(points: Floats) -> tuple[Floats, Floats]:
+        y, volumes = normal_quantiles(points)
+        volumes -= log_normal(y[:, rings])
+        y[:, rings] = points[:, rings]
+        return y, volumes
+
+    def to_cube(y: Floats) -> tuple[Floats, Floats]:
+        points, volumes = normal_probabilities(y)
+        volumes -= log_normal(y[:, rings])
+        points[:, rings] = y[:, rings]
+        return points, volumes
+
+    return Coordinates(from_cube, to_cube, tuple(circles))
+
+
+PLAIN = plain()
+"""Without circles."""
 
 
 @dataclass(frozen=True)
@@ -58,8 +83,6 @@ class Problem:
         D, 1 to 20.
     coordinates:
         In which the posterior is nearly a mixture of few normal distributions.
-    periodic:
-        Columns whose ends, 0 and 1, are the same place; in coordinates they stand for themselves.
     twins:
         From points ``(N, D)`` to others where the likelihood may be much the same, one of few at random: the way back
         is as probable, and volumes stay what they are. What a population finds in one place it then finds in all.
@@ -68,7 +91,6 @@ class Problem:
     log_likelihood: LogLikelihood
     dimensions: int
     coordinates: Coordinates = PLAIN
-    periodic: tuple[int, ...] = ()
     twins: Twins | None = None
 
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from bnserve_posterior.sampling._bending import Bending
 from bnserve_posterior.sampling._mixture import Mixture
 from bnserve_posterior.sampling._problem import Coordinates, Problem
-from bnserve_posterior.sampling._turning import emptiest, turned
+from bnserve_posterior.sampling._turning import emptiest, opened
 
 Floats = NDArray[np.float64]
 _ANYWHERE = 0.05
@@ -20,8 +20,8 @@ _WIDENING = 1.2
 
 
 class Proposal(NamedTuple):
-    """A mixture of Student distributions in straightened coordinates, with a share of the prior; the coordinates are
-    those of the cube whose periodic columns begin at ``turns``, ``(P,)``."""
+    """A mixture of Student distributions in straightened coordinates, with a share of the prior; the coordinates'
+    circles are cut open at ``turns``, ``(P,)``."""
 
     turns: Floats
     coordinates: Coordinates
@@ -34,8 +34,8 @@ class Proposal(NamedTuple):
         random: np.random.Generator,
     ) -> Proposal:  # fmt: skip
         """To points of the cube ``(N, D)`` with weights that sum to one."""
-        turns = emptiest(points, weights, problem)
-        coordinates = turned(problem, turns)
+        turns = emptiest(points, weights, problem.coordinates)
+        coordinates = opened(problem.coordinates, turns)
         y = coordinates.from_cube(points)[0]
         bending = Bending.fit(y, weights)
         mixture = Mixture.fit(bending.straight(y), weights, components, iterations, random)

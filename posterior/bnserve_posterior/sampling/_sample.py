@@ -82,9 +82,10 @@ def sample(
 
 
 def _check(problem: Problem, settings: Settings) -> None:
+    circles = problem.coordinates.circles
     wrong = {
         "dimensions must be 1 or more": problem.dimensions < 1,
-        "periodic must name columns, from 0 on": not set(problem.periodic) <= set(range(problem.dimensions)),
+        "circles must name columns, from 0 on": not set(circles) <= set(range(problem.dimensions)),
         f"particles must be {_FEWEST_PARTICLES} or more": settings.particles < _FEWEST_PARTICLES,
         "effective must be 1 or more": settings.effective < 1,
         "batch must be 1 or more": settings.batch < 1,
@@ -92,7 +93,7 @@ def _check(problem: Problem, settings: Settings) -> None:
     }
     for reason, is_so in wrong.items():
         if is_so:
-            raise ValueError(f"{reason}; these are {problem.dimensions} dimensions, {problem.periodic}, {settings}.")
+            raise ValueError(f"{reason}; these are {problem.dimensions} dimensions, {circles}, {settings}.")
     points = _checkpoint.probes(problem.dimensions)
     y, volumes = problem.coordinates.from_cube(points)
     back, again = problem.coordinates.to_cube(y)
