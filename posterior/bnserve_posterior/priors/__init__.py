@@ -4,6 +4,7 @@ from bnserve_posterior.priors._coordinates import coordinates_of
 from bnserve_posterior.priors._cube import PriorCube
 from bnserve_posterior.priors._parameters import derived_parameters, likelihood_batch, likelihood_parameters
 from bnserve_posterior.priors._reading import priors_of
+from bnserve_posterior.priors._sky import seconds_before
 from bnserve_posterior.priors._syntax import parse_prior, read_prior_file
 from bnserve_posterior.priors._twins import twins_of
 
@@ -16,5 +17,6 @@ __all__ = [
     "parse_prior",
     "priors_of",
     "read_prior_file",
+    "seconds_before",
     "twins_of",
 ]

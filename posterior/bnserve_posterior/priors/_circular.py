@@ -41,11 +41,11 @@ class Polarisations:
 
     needs = ("ra", "dec", "theta_jn", "psi")
 
-    def __init__(self, cube: PriorCube, normal: Floats) -> None:
+    def __init__(self, cube: PriorCube, normal: Floats, before: float) -> None:
         self._cube = cube
         east = np.cross([0.0, 0.0, 1.0] if abs(normal[2]) < 0.9 else [1.0, 0.0, 0.0], normal)
         self._axes = np.array([east, np.cross(normal, east), normal * np.linalg.norm(east)]) / np.linalg.norm(east)
-        self._sidereal = sidereal_time(cube.trigger_time)[0]
+        self._sidereal = sidereal_time(cube.trigger_time - before)[0]
         self._low, high = cube.rescaled("psi", np.array([0.0, 1.0]))
         self._range = high - self._low
         distance = ("luminosity_distance",) if "luminosity_distance" in cube.names else ()
@@ -53,15 +53,16 @@ class Polarisations:
         self.circles = self.columns[1:2]
 
     @classmethod
-    def of(cls, cube: PriorCube, detectors: Sequence[Detector]) -> Polarisations | None:
-        """For detectors of one place and plane that see both polarisations; None for others, or another prior."""
+    def of(cls, cube: PriorCube, detectors: Sequence[Detector], before: float = 0.0) -> Polarisations | None:
+        """For detectors of one place and plane that see both polarisations, ``before`` seconds before the trigger; None
+        for others, or another prior."""
         if not {"theta_jn", "psi"} <= {*cube.names} or cube.names.index("psi") not in cube.periodic():
             return None
         normal = common_plane(detectors)
         if normal is None or not {*cls.needs} <= {*cube.names, *cube.fixed}:
             return None
         seen = np.linalg.svd([one.response.ravel() for one in detectors], compute_uv=False)
-        return cls(cube, normal) if len(seen) > 1 and seen[1] > _LEAST_PART * seen[0] else None
+        return cls(cube, normal, before) if len(seen) > 1 and seen[1] > _LEAST_PART * seen[0] else None
 
     def forward(self, y: Floats, values: Values) -> Floats:
         """Fill the columns of ``y`` ``(N, D)`` from parameters ``(N,)``; returns ln of the volume ``(N,)``."""

@@ -190,8 +190,12 @@ class _Sky:
 _Block = _Masses | _Tides | _Sky | Polarisations
 
 
-def coordinates_of(cube: PriorCube, detectors: Sequence[Detector], *, tides: bool = True) -> Coordinates:
+def coordinates_of(
+    cube: PriorCube, detectors: Sequence[Detector], *, before: float = 0.0, tides: bool = True
+) -> Coordinates:
     """The coordinates of a prior, as far as it samples what they are made of.
+
+    Detectors of one place see the sky as it is to them ``before`` seconds before the trigger.
 
     With the reduced tidal parameter the posterior ends where one star has no tide; without (``tides=False``) it has no
     end there, which samplers that follow gradients need.
@@ -205,7 +209,7 @@ def coordinates_of(cube: PriorCube, detectors: Sequence[Detector], *, tides: boo
     axis = sky_axis(detectors)
     if axis is not None and isotropic(cube):
         blocks.append(_Sky(cube, axis, detectors[0]))
-    if (orientation := Polarisations.of(cube, detectors)) is not None:
+    if (orientation := Polarisations.of(cube, detectors, before)) is not None:
         blocks.append(orientation)
     taken = {column for block in blocks for column in block.columns}
     circles = [column for column in cube.periodic() if column not in taken]

@@ -3,7 +3,8 @@
 The triangle of the Einstein Telescope, as long as it stands still, cannot tell a source from seven others: its
 reflection in the plane of the arms, with the orbit seen from the other side, and either turned by quarters of a turn
 about the vertical, which turns the sign of a signal as another quarter of a turn of the polarisation does. While the
-Earth turns they part, the less the shorter and fainter a signal is.
+Earth turns they part, the less the shorter and fainter a signal is. Without other modes than the quadrupole the sign
+of a signal is a phase, so that each has another twin with a quarter of a turn of the polarisation alone.
 """
 
 from __future__ import annotations
@@ -18,42 +19,45 @@ from bnserve_inference import Detector, sidereal_time
 from bnserve_posterior.priors._coordinates import isotropic
 from bnserve_posterior.priors._cube import PriorCube
 from bnserve_posterior.priors._quantiles import quantiles
-from bnserve_posterior.priors._sky import angles_of, common_plane, wave_of
+from bnserve_posterior.priors._sky import LIGHT_SPEED, angles_of, common_plane, wave_of
 from bnserve_posterior.sampling import Twins
 
 Floats = NDArray[np.float64]
 
-_LIGHT_SPEED = 299792458.0
 
+def twins_of(cube: PriorCube, detectors: Sequence[Detector], before: float = 0.0) -> Twins | None:
+    """Moves of points of the cube to one of their twins at random; None where detectors or prior have none.
 
-def twins_of(cube: PriorCube, detectors: Sequence[Detector]) -> Twins | None:
-    """Moves of points of the cube to one of their seven twins at random; None where detectors or prior have none.
-
-    They leave volumes of the cube as they are, and each is as probable as the way back. A time of coalescence changes
-    as the arrival does not; points whose time leaves its prior leave the cube.
+    They leave volumes of the cube as they are (to a millionth, of the Doppler effect), and each is as probable as the
+    way back. A twin is one as the Earth stands ``before`` seconds before the trigger: from there on the time of
+    coalescence changes as the arrival does not, and the chirp mass as the Doppler effect of the Earth's turn does;
+    points that leave their prior leave the cube.
     """
     if not (isotropic(cube) and _oriented_at_random(cube)):
         return None
-    first = detectors[0]
-    normal = common_plane(detectors)
+    first, normal = detectors[0], common_plane(detectors)
     if normal is None:
         return None
-    (turns, quarters), sidereal = _turns(normal), sidereal_time(cube.trigger_time)[0]
+    (turns, quarters), (sidereal, rate) = _turns(normal), sidereal_time(cube.trigger_time - before)
+    velocity = np.cross([0.0, 0.0, rate], first.location) / LIGHT_SPEED
+    place = first.location / LIGHT_SPEED + before * velocity
     low, high = cube.rescaled("psi", np.array([0.0, 1.0]))
+    signs = 1 if cube.folded else 2
 
     def hop(u: Floats, random: np.random.Generator) -> Floats:
         values, out = cube(u), u.copy()
-        number = random.integers(len(turns), size=len(u))
+        number, sign = np.divmod(random.integers(1, signs * len(turns), size=len(u)), signs)
         here, axis = wave_of(values, sidereal)
         there, turned = (np.einsum("nij,nj->ni", turns[number], vector) for vector in (here, axis))
         found = angles_of(there, turned, sidereal)
-        psi = found.pop("psi") + 0.5 * np.pi * quarters[number]
+        psi = found.pop("psi") + 0.5 * np.pi * (quarters[number] + sign)
         out[:, cube.names.index("psi")] = np.mod((psi - low) / (high - low), 1.0)
         mirrored = np.linalg.det(turns)[number] < 0.0
         found["theta_jn"] = np.where(mirrored, np.pi - values["theta_jn"], values["theta_jn"])
         if "coalescence_time" in cube.names:
-            later = (there - here) @ first.location / _LIGHT_SPEED
-            found["coalescence_time"] = values["coalescence_time"] + later
+            found["coalescence_time"] = values["coalescence_time"] + (there - here) @ place
+        if "chirp_mass" in cube.names:
+            found["chirp_mass"] = values["chirp_mass"] * np.exp((there - here) @ velocity)
         for name, column in found.items():
             out[:, cube.names.index(name)] = quantiles(cube, name, column)
         return out
@@ -71,10 +75,10 @@ def _oriented_at_random(cube: PriorCube) -> bool:
 
 
 def _turns(normal: Floats) -> tuple[Floats, NDArray[np.int64]]:
-    """Quarters of a turn about the vertical, with and without a reflection, but for the one that does nothing, and how
-    many quarters of a turn the polarisation angle makes with each."""
+    """Quarters of a turn about the vertical, with and without a reflection, and how many quarters of a turn the
+    polarisation angle makes with each; the first does nothing."""
     upright = np.outer(normal, normal)
     mirror, cross = np.eye(3) - 2.0 * upright, np.cross(np.eye(3), normal).T
     quarter = upright + cross
     found = [np.linalg.matrix_power(quarter, number) @ each for number in range(4) for each in (np.eye(3), mirror)]
-    return np.array(found[1:]), np.array([number // 2 % 2 for number in range(1, 8)])
+    return np.array(found), np.array([number // 2 % 2 for number in range(8)])

@@ -22,7 +22,7 @@ from bnserve_posterior.likelihoods import (
     model_doubts,
     response_doubts,
 )
-from bnserve_posterior.priors import PriorCube, coordinates_of, priors_of, twins_of
+from bnserve_posterior.priors import PriorCube, coordinates_of, priors_of, seconds_before, twins_of
 from bnserve_posterior.running._folder import Folder
 from bnserve_posterior.running._threads import Evaluate
 from bnserve_posterior.sampling import Problem
@@ -99,9 +99,13 @@ class Prepared:
     def problem(self, evaluate: Evaluate | None = None) -> Problem:
         """What is sampled; ``evaluate`` is as of :meth:`log_likelihood`."""
         sites = [one.site() for one in self.data.detectors]
-        coordinates = coordinates_of(self.cube, sites)
+        before = 0.0
+        if self.analysis.settings.moves and "chirp_mass" in self.cube.names:
+            middle = float(self.cube.rescaled("chirp_mass", np.array([0.5]))[0])
+            before = seconds_before(self.data.detectors, self.event.data.f_min, self.event.data.f_max, middle)
+        coordinates = coordinates_of(self.cube, sites, before=before)
         log_likelihood = functools.partial(self.log_likelihood, evaluate=evaluate)
-        return Problem(log_likelihood, len(self.cube), coordinates, twins_of(self.cube, sites))
+        return Problem(log_likelihood, len(self.cube), coordinates, twins_of(self.cube, sites, before))
 
 
 def prepare(event: Event, model: WaveformModel, folder: Folder, *, signals: WaveformModel | None = None) -> Prepared:

@@ -16,7 +16,7 @@ from bnserve_posterior.sampling._importance import Draws
 from bnserve_posterior.sampling._mixture import Mixture
 from bnserve_posterior.sampling._population import Population
 from bnserve_posterior.sampling._problem import Problem, Settings
-from bnserve_posterior.sampling._proposals import Proposal
+from bnserve_posterior.sampling._proposals import Part, Proposal
 from bnserve_posterior.sampling._turning import opened
 
 Floats = NDArray[np.float64]
@@ -43,7 +43,10 @@ def write(path: Path, state: State, identity: Floats) -> None:
         arrays |= _named(name, part) if part is not None else {}
     for number, proposal in enumerate(state.proposals):
         arrays[f"turns.{number}"] = proposal.turns
-        arrays |= _named(f"bending.{number}", proposal.bending) | _named(f"mixture.{number}", proposal.mixture)
+        for k, (share, bending, mixture) in enumerate(proposal.parts):
+            name = f"{number}.{k}"
+            arrays[f"share.{name}"] = share
+            arrays |= _named(f"bending.{name}", bending) | _named(f"mixture.{name}", mixture)
     partial = path.with_name(f"{path.name}.part")
     with partial.open("wb") as file:
         np.savez(file, **arrays)
@@ -103,8 +106,11 @@ def _state(arrays: dict[str, Any], problem: Problem) -> State:
     while f"turns.{len(state.proposals)}" in arrays:
         number = len(state.proposals)
         turns = arrays[f"turns.{number}"]
-        bending, mixture = Bending(**part(f"bending.{number}")), Mixture(**part(f"mixture.{number}"))
-        state.proposals.append(Proposal(turns, opened(problem.coordinates, turns), bending, mixture))
+        parts: list[Part] = []
+        while f"share.{(name := f'{number}.{len(parts)}')}" in arrays:
+            bending, mixture = Bending(**part(f"bending.{name}")), Mixture(**part(f"mixture.{name}"))
+            parts.append(Part(float(arrays[f"share.{name}"]), bending, mixture))
+        state.proposals.append(Proposal(turns, opened(problem.coordinates, turns), tuple(parts)))
     if population := part("population"):
         state.population = Population(**population)
     if draws := part("draws"):

@@ -35,6 +35,8 @@ _ROUNDS, _MOVED = 6, 0.9
 """At most so many rounds of moves after a step, until so many of the particles have moved."""
 _PROPOSALS, _COMPONENTS, _ITERATIONS = 2, 10, 6
 """Draws from a mixture for each particle and round, and how that is fitted: quickly."""
+_REMEMBERED = 4000
+"""At most so many points are fitted to while particles settle."""
 _JUMP = 0.1
 """How often a move is a whole difference, from one mode to another, instead of a scaled one."""
 _BLUR = 1e-3
@@ -90,12 +92,31 @@ def advance(evaluate: Evaluator, now: Population, particles: int, random: np.ran
         halves = order[: particles // 2], order[particles // 2 :]
         for mine, others in (halves, halves[::-1]):
             now = _evolve(evaluate, now, (mine, others), coordinates, random)
-            now = _propose(evaluate, now, (mine, others), random)
+            now = _propose(evaluate, now, mine, now.points[others], random)
             now = _hop(evaluate, now, mine, random)
         moved |= (now.points != before).any(axis=1)
         if moved.mean() >= _MOVED:
             break
     return now
+
+
+def settle(evaluate: Evaluator, now: Population, rounds: int, random: np.random.Generator) -> tuple[Population, Floats]:
+    """Rounds of moves at the power that it has; returns all the places where its particles were, ``(rounds N, D)``.
+
+    Each half is offered draws from mixtures fitted to where the other one was.
+    """
+    particles = len(now.values)
+    order = random.permutation(particles)
+    halves = order[: particles // 2], order[particles // 2 :]
+    been = [now.points]
+    for _ in range(rounds):
+        for mine, others in (halves, halves[::-1]):
+            there = np.concatenate([points[others] for points in been])
+            there = there[random.permutation(len(there))[:_REMEMBERED]]
+            now = _propose(evaluate, now, mine, there, random)
+            now = _hop(evaluate, now, mine, random)
+        been.append(now.points)
+    return now, np.concatenate(been[1:])
 
 
 def _reweigh(now: Population, particles: int, random: np.random.Generator) -> Population:
@@ -134,15 +155,16 @@ def _evolve(
     return _offer(evaluate, now, mine, there, theirs - volumes[mine], random)
 
 
-def _propose(evaluate: Evaluator, now: Population, halves: Halves, random: np.random.Generator) -> Population:
-    """Offer each of one half draws from a mixture fitted to the other.
+def _propose(
+    evaluate: Evaluator, now: Population, mine: NDArray[np.intp], others: Floats, random: np.random.Generator
+) -> Population:
+    """Offer each of one half draws from a mixture fitted to points of the other.
 
     Fitted to all, it would know each particle's own place better than the places around: particles would leave where
     they are few.
     """
-    mine, others = halves
     uniform = np.full(len(others), 1.0 / len(others))
-    proposal = Proposal.fit(evaluate.problem, now.points[others], uniform, _COMPONENTS, _ITERATIONS, random)
+    proposal = Proposal.fit(evaluate.problem, others, uniform, _COMPONENTS, _ITERATIONS, random)
     for _ in range(_PROPOSALS):
         there = proposal.draw(len(mine), random)
         balance, some = np.full(len(mine), -np.inf), inside(there)
