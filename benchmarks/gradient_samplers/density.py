@@ -16,7 +16,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.special import ndtri
 
 from bnserve_posterior.priors import coordinates_of
 from bnserve_posterior.running import Prepared
@@ -64,23 +63,18 @@ class Density:
 
     def points(self, y: Floats) -> tuple[Floats, Floats]:
         """Points of the unit cube ``(N, D)`` and ln of the volume ``(N,)`` at coordinates ``(N, D)``."""
-        turns = list(self._cube.periodic())
-        normal = y.copy()
-        normal[:, turns] = ndtri(np.clip(y[:, turns] % 1.0, _EDGE, 1.0 - _EDGE))
-        u, volume = self._coordinates.to_cube(normal)
-        return u, volume + 0.5 * np.sum(normal[:, turns] ** 2 + np.log(2.0 * np.pi), axis=1)
+        closed = y.copy()
+        closed[:, self.turns] = np.clip(y[:, self.turns] % 1.0, _EDGE, 1.0 - _EDGE)
+        return self._coordinates.to_cube(closed)
 
     def coordinates(self, u: Floats) -> Floats:
         """The way back from points of the cube."""
-        y = self._coordinates.from_cube(u)[0]
-        turns = list(self._cube.periodic())
-        y[:, turns] = u[:, turns]
-        return y
+        return self._coordinates.from_cube(u)[0]
 
     @property
-    def turns(self) -> tuple[int, ...]:
+    def turns(self) -> list[int]:
         """Columns that come round to their beginning after 1."""
-        return self._cube.periodic()
+        return list(self._coordinates.circles)
 
     def spread(self) -> Floats:
         """The standard deviations of the prior, ``(D,)``."""

@@ -95,9 +95,7 @@ def run(
     )
     likelihood = bound_likelihood(model, analysis)
     sites = [Detector.named(name) for name in setting.DETECTORS]
-    problem = Problem(
-        lambda u: likelihood.log_likelihood(cube.batch(cube(u))), len(cube), coordinates_of(cube, sites)
-    )
+    problem = Problem(lambda u: likelihood.log_likelihood(cube.batch(cube(u))), len(cube), coordinates_of(cube, sites))
     found = sampled(problem, replace(settings, seed=seed))
     truth, values = ranked(LikelihoodBatch.coerce(signal)), ranked(cube.batch(cube(found.points)))
     ranks = {name: found.weights @ (values[name] < truth[name]) for name in NAMES}

@@ -28,7 +28,7 @@ from bnserve_inference import (
     relative_binning_analysis,
 )
 from bnserve_posterior.likelihoods import analysis_ranges
-from bnserve_posterior.priors import PriorCube, coordinates_of, priors_of
+from bnserve_posterior.priors import PriorCube, coordinates_of, priors_of, seconds_before
 from bnserve_posterior.sampling import Problem, Settings
 from bnserve_protocol import LIKELIHOOD_NAMES, DistanceMarginalisation, LikelihoodBatch, LikelihoodParameters
 from bnserve_surrogate import Model
@@ -121,12 +121,16 @@ def run(seed: int, model: Model, settings: Settings, response: ResponseName = "m
     cube, truth, signal = draw(seed)
     data, snr = observed(model, signal, seed)
     bound = bound_likelihood(model, cube, data, response)
+    middle = float(cube.rescaled("chirp_mass", np.array([0.5]))[0])
+    before = seconds_before(data, CASE.f_min, CASE.f_max, middle) if response == "moving" else 0.0
     del data
     batch_of: Callable[[Floats], LikelihoodBatch] = lambda u: cube.batch(  # noqa: E731  (of one line)
         {**cube(u), "luminosity_distance": np.ones(len(u))}
     )
     sites = [Detector.named(name) for name in CASE.detectors]
-    problem = Problem(lambda u: bound.log_likelihood(batch_of(u)), len(cube), coordinates_of(cube, sites))
+    problem = Problem(
+        lambda u: bound.log_likelihood(batch_of(u)), len(cube), coordinates_of(cube, sites, before=before)
+    )
     found = sampled(problem, replace(settings, seed=seed))
     ranks = dict(zip(cube.names, found.weights @ (found.points < truth), strict=True))
     drawn = bound.draw_marginalised(batch_of(found.points), seed=seed).parameters

@@ -16,6 +16,7 @@ from bnserve_posterior.sampling import (
     PosteriorUnreliable,
     Problem,
     Settings,
+    plain,
     sample,
 )
 from tests.architecture.rooms import ROOT, room_environment
@@ -105,13 +106,13 @@ def test_no_call_has_more_points_than_a_batch_and_progress_is_told(undisturbed):
     assert abs(told[-1].log_evidence - undisturbed.log_evidence) < 1e-12
 
 
-@pytest.mark.parametrize("other", ["likelihood", "settings", "periodic"])
+@pytest.mark.parametrize("other", ["likelihood", "settings", "circles"])
 def test_the_checkpoint_of_another_run_is_refused(tmp_path, other):
     checkpoint = tmp_path / "checkpoint.npz"
     sample(Problem(normal, 4), SETTINGS, checkpoint=checkpoint)
     problem = Problem((lambda u: normal(u) + 1.0) if other == "likelihood" else normal, 4)
-    if other == "periodic":
-        problem = Problem(normal, 4, periodic=(0,))
+    if other == "circles":
+        problem = Problem(normal, 4, plain((0,)))
     settings = Settings(particles=301, effective=2000, batch=1000) if other == "settings" else SETTINGS
     with pytest.raises(CheckpointMismatch, match=r"'checkpoint.npz' is the checkpoint of another .* delete it"):
         sample(problem, settings, checkpoint=checkpoint)
@@ -130,7 +131,7 @@ def test_a_checkpoint_without_an_array_is_refused(tmp_path):
     sample(Problem(normal, 4), SETTINGS, checkpoint=checkpoint)
     with np.load(checkpoint, allow_pickle=False) as file:
         arrays = dict(file)
-    del arrays["mixture.0.means"]
+    del arrays["mixture.0.0.means"]
     np.savez(checkpoint, **arrays)
     with pytest.raises(CheckpointMismatch, match="no checkpoint"):
         sample(Problem(normal, 4), SETTINGS, checkpoint=checkpoint)
@@ -174,7 +175,7 @@ def test_a_posterior_that_no_mixture_follows_is_refused():
     ("problem", "settings", "text"),
     [
         (Problem(normal, 0), SETTINGS, "dimensions"),
-        (Problem(normal, 4, periodic=(4,)), SETTINGS, "periodic"),
+        (Problem(normal, 4, PLAIN._replace(circles=(4,))), SETTINGS, "circles"),
         (Problem(normal, 4), Settings(particles=10), "particles"),
         (Problem(normal, 4), Settings(effective=0), "effective"),
         (Problem(normal, 4), Settings(batch=0), "batch"),

@@ -3,12 +3,14 @@
 import numpy as np
 import pytest
 
-from bnserve_posterior.sampling import PLAIN, Problem
+from bnserve_posterior.sampling import PLAIN, Problem, plain
 from bnserve_posterior.sampling._bending import Bending
 from bnserve_posterior.sampling._evaluation import Evaluator
+from bnserve_posterior.sampling._islands import islands
 from bnserve_posterior.sampling._mixture import Mixture
 from bnserve_posterior.sampling._pareto import pareto_k
 from bnserve_posterior.sampling._population import Population, advance
+from bnserve_posterior.sampling._proposals import Proposal, inside
 
 
 @pytest.mark.parametrize(("shape", "by_arviz"), [(0.1, 0.12666), (0.5, 0.49866), (0.9, 0.87061)])
@@ -82,6 +84,65 @@ def test_plain_coordinates_can_be_undone_and_know_their_volume():
     np.testing.assert_allclose(volumes, -0.5 * np.sum(y**2 + np.log(2.0 * np.pi), axis=1))
     deep = PLAIN.to_cube(np.array([[-20.0, -30.0, 3.0]]))[0]
     np.testing.assert_allclose(PLAIN.from_cube(deep)[0], [[-20.0, -30.0, 3.0]], rtol=1e-9)
+
+
+def three_islands(random, count):
+    centres = np.array([[0.0, 0.0], [0.0, 8.0], [5.0, 8.0]])
+    number = random.choice(3, count, p=[0.7, 0.25, 0.05])
+    return centres[number] + random.standard_normal((count, 2)) * [0.5, 0.8], number
+
+
+def test_islands_are_told_apart_and_one_cloud_is_one():
+    random = np.random.default_rng(11)
+    y, number = three_islands(random, 3000)
+    found = islands(y, np.full(3000, 1.0 / 3000.0))
+    assert [set(number[rows]) for rows in found] == [{0}, {1}, {2}]
+    assert sum(map(len, found)) == 3000
+    assert len(islands(random.standard_t(5, (3000, 8)), np.full(3000, 1.0 / 3000.0))) == 1
+    assert len(islands(y[:7], np.full(7, 1.0 / 7.0))) == 1
+
+
+def proposal_of_islands(random):
+    coordinates = plain((1,))
+    y, _ = three_islands(random, 3000)
+    u = np.mod(np.stack([0.5 + 0.05 * y[:, 0], 0.05 * y[:, 1]], axis=1), 1.0)
+    return Proposal.fit(Problem(two_peaks, 2, coordinates), u, np.full(3000, 1.0 / 3000.0), 6, 10, random)
+
+
+def test_a_proposal_of_islands_draws_as_its_density_says():
+    random = np.random.default_rng(12)
+    proposal = proposal_of_islands(random)
+    assert len(proposal.parts) == 3
+    edges = np.linspace(0.0, 1.0, 101)
+    middle = np.stack(np.meshgrid(*2 * [edges[:-1] + 0.005]), axis=-1).reshape(-1, 2)
+    density = np.exp(proposal.log_density(middle)).reshape(100, 100)
+    held, _, _ = np.histogram2d(*proposal.draw(200_000, random).T[::-1], bins=edges)
+    assert abs(density.mean() - 1.0) < 0.02
+    assert np.abs(density / 1e4 - held / 2e5).sum() < 0.1
+
+
+def test_steps_leave_what_is_drawn_as_it_is():
+    random = np.random.default_rng(13)
+    proposal = proposal_of_islands(random)
+
+    def target(u):
+        return 0.7 * proposal.log_density(u) - 3.0 * u[:, 0]
+
+    random_points = proposal.draw(40_000, random)
+    random_points = random_points[inside(random_points)]
+    weights = np.exp(target(random_points) - proposal.log_density(random_points))
+    before = random_points[random.choice(len(random_points), 20_000, p=weights / weights.sum())]
+    now, taken = before.copy(), 0.0
+    for _ in range(10):
+        there, factor = proposal.step(now, random)
+        some = inside(there)
+        some = some[np.log(random.random(len(some))) < (target(there[some]) - target(now[some]) + factor[some])]
+        now[some] = there[some]
+        taken += len(some) / len(now) / 10
+    assert 0.2 < taken < 0.95
+    for column in range(2):
+        one, other = (np.histogram(each[:, column], 20, (0.0, 1.0))[0] for each in (before, now))
+        assert np.abs(one - other).max() < 300  # five standard deviations of what was drawn again
 
 
 def two_peaks(points):

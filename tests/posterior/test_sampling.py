@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.stats import f as f_distribution
 
-from bnserve_posterior.sampling import Problem, Settings, sample
+from bnserve_posterior.sampling import Problem, Settings, plain, sample
 from tests.posterior.densities import (
     FREEDOM,
     WIDTHS,
@@ -61,8 +61,8 @@ def test_the_tails_of_the_spins_are_there():
     assert abs(share - tail) < 4.0 * np.sqrt(tail / found.effective)
 
 
-def test_both_places_in_the_sky_are_found_also_across_the_ends_of_a_periodic_column():
-    found = sample(Problem(two_detectors, 3, periodic=(1,)), FEW)
+def test_both_places_in_the_sky_are_found_also_across_the_ends_of_a_circle():
+    found = sample(Problem(two_detectors, 3, plain((1,))), FEW)
     within(found, 0.0)
     azimuth = np.abs(found.points[:, 1] - 0.5)
     assert abs(found.weights[azimuth > 0.25].sum() - 0.5) < 0.05

@@ -26,11 +26,13 @@ _PROBES = 4
 
 @dataclass
 class State:
-    """The proposals that are ready; the population on its way to the next; how often they were fitted anew; draws from
-    all of them; and the number of likelihoods."""
+    """The proposals that are ready; the population on its way to the next, where its particles have been, and those
+    that wait for their turn; how often it was begun again; draws from all proposals; and the number of likelihoods."""
 
     proposals: list[Proposal] = field(default_factory=list)
     population: Population | None = None
+    been: Floats | None = None
+    begun: list[Population] = field(default_factory=list)
     attempt: int = 0
     draws: Draws | None = None
     likelihoods: int = 0
@@ -41,6 +43,9 @@ def write(path: Path, state: State, identity: Floats) -> None:
     arrays: dict[str, Any] = {"identity": identity, "attempt": state.attempt, "likelihoods": state.likelihoods}
     for name, part in (("population", state.population), ("draws", state.draws)):
         arrays |= _named(name, part) if part is not None else {}
+    arrays |= {"been": state.been} if state.been is not None else {}
+    for number, population in enumerate(state.begun):
+        arrays |= _named(f"begun.{number}", population)
     for number, proposal in enumerate(state.proposals):
         arrays[f"turns.{number}"] = proposal.turns
         for k, (share, bending, mixture) in enumerate(proposal.parts):
@@ -111,6 +116,9 @@ def _state(arrays: dict[str, Any], problem: Problem) -> State:
             bending, mixture = Bending(**part(f"bending.{name}")), Mixture(**part(f"mixture.{name}"))
             parts.append(Part(float(arrays[f"share.{name}"]), bending, mixture))
         state.proposals.append(Proposal(turns, opened(problem.coordinates, turns), tuple(parts)))
+    state.been = arrays.get("been")
+    while begun := part(f"begun.{len(state.begun)}"):
+        state.begun.append(Population(**begun))
     if population := part("population"):
         state.population = Population(**population)
     if draws := part("draws"):

@@ -1,11 +1,9 @@
-"""Importance sampling that adapts: it makes a posterior that a population found right, tails and evidence.
+"""Importance sampling: it makes a posterior that a population found right, tails and evidence.
 
-A mixture of Student distributions, wider than what it is fitted to, is fitted to the population, then to weighted draws
-from itself (population Monte Carlo, Cappe et al. 2008), in rounds that become larger. In these rounds the weight of a
-draw is its likelihood over the mean of the densities of all rounds so far (Veach, Guibas 1995; Cornuet et al. 2012).
-The posterior and its evidence are from draws that no mixture was fitted to: from two mixtures, of two populations that
-know nothing of each other, and weighted by the mean of both densities. They are independent, and their errors are what
-they say.
+The draws are from two mixtures of Student distributions, wider than what they are fitted to: where particles of two
+populations have been that know nothing of each other. The weight of a draw is its likelihood over the mean of both
+densities (Veach, Guibas 1995). No mixture is fitted to the draws that the posterior and its evidence are from: they are
+independent, and their errors are what they say.
 """
 
 from __future__ import annotations
@@ -19,6 +17,7 @@ from scipy.special import logsumexp
 
 from bnserve_posterior.sampling._evaluation import Evaluator
 from bnserve_posterior.sampling._pareto import FINITE, pareto_k
+from bnserve_posterior.sampling._population import Population
 from bnserve_posterior.sampling._problem import Problem
 from bnserve_posterior.sampling._proposals import Proposal, inside
 
@@ -27,13 +26,9 @@ _COMPONENTS = 25
 """Of a mixture: measured with a binary neutron star; ten are worth a little less, fifty no more."""
 _ITERATIONS = 15
 """Of a mixture's fit; twice as many make no difference."""
-_NEGLIGIBLE = 1e-3
-"""Draws of a smaller weight than this part of the mean are not fitted to."""
 _SLOWLY = 1.4
 """Where the variance of weights is infinite, evidences scatter so much more than the weights at hand say: measured in
 eleven runs of a binary neutron star with k-hat from 0.49 to 0.66."""
-_ROUNDS = (4, 8, 12)
-"""Draws of a round for each particle."""
 
 
 class Draws(NamedTuple):
@@ -109,32 +104,16 @@ def _weighted(log_weights: Floats, count: int) -> Weighted:
     return Weighted(weights / total, float(top + np.log(total / count)), error, total**2 / squares, k_hat)
 
 
-def adapted(evaluate: Evaluator, points: Floats, particles: int, random: np.random.Generator) -> Proposal:
-    """A proposal fitted to a population ``(N, D)``, and then to draws from itself."""
-    uniform = np.full(len(points), 1.0 / len(points))
-    proposals = [Proposal.fit(evaluate.problem, points, uniform, _COMPONENTS, _ITERATIONS, random)]
-    counts = [size * particles for size in _ROUNDS]
-    points, values, densities = points[:0], np.empty(0), np.empty((0, 0))
-    for number, count in enumerate(counts):
-        fresh = draw(evaluate, proposals[-1:], [count], random)
-        of_fresh = [proposal.log_density(fresh.points) for proposal in proposals[:-1]]
-        of_old = proposals[-1].log_density(points) if number else np.empty(0)
-        densities = np.concatenate(
-            [np.concatenate([densities, of_old[None]]), np.array([*of_fresh, fresh.densities[0]])], axis=1
-        )
-        points, values = np.concatenate([points, fresh.points]), np.concatenate([values, fresh.values])
-        every = np.array(counts[: number + 1], dtype=np.int64)
-        so_far = Draws(points, values, np.zeros(len(values), dtype=np.int64), densities, every)
-        proposals.append(refitted(evaluate.problem, so_far, random))
-    return proposals[-1]
+def fitted(problem: Problem, points: Floats, random: np.random.Generator) -> Proposal:
+    """A proposal fitted to points of the cube ``(N, D)``."""
+    return Proposal.fit(problem, points, np.full(len(points), 1.0 / len(points)), _COMPONENTS, _ITERATIONS, random)
 
 
-def refitted(problem: Problem, draws: Draws, random: np.random.Generator) -> Proposal:
-    """A proposal fitted to draws; none counts for more than the root of their number (Ionides 2008)."""
+def population_of(draws: Draws, particles: int, random: np.random.Generator) -> Population:
+    """So many of the draws, by their weights; none counts for more than the root of their number (Ionides 2008)."""
     weights = weighted(draws).weights
     if not weights.any():
         weights = np.full(len(weights), 1.0 / len(weights))
     weights = np.minimum(weights, 1.0 / np.sqrt(len(weights)))
-    some = weights > _NEGLIGIBLE / len(weights)
-    weights = weights[some] / weights[some].sum()
-    return Proposal.fit(problem, draws.points[some], weights, _COMPONENTS, _ITERATIONS, random)
+    chosen = random.choice(len(weights), particles, p=weights / weights.sum())
+    return Population(draws.points[chosen], draws.values[chosen], 1.0, 0)

@@ -81,12 +81,16 @@ class Mixture(NamedTuple):
 
     def log_density(self, points: Floats) -> Floats:
         """ln of the density at ``points`` ``(N, D)``."""
+        return np.asarray(logsumexp(self.log_densities(points), axis=0))
+
+    def log_densities(self, points: Floats) -> Floats:
+        """ln of each component's part of it, ``(K, N)``."""
         dimensions = points.shape[1]
         half = 0.5 * (FREEDOM + dimensions)
         constant = gammaln(half) - gammaln(0.5 * FREEDOM) - 0.5 * dimensions * np.log(FREEDOM * np.pi)
         squares, volumes = self._squares(points)
-        each = constant - volumes[:, None] - half * np.log1p(squares / FREEDOM)
-        return np.asarray(logsumexp(each, axis=0, b=self.shares[:, None]))
+        found = np.log(self.shares[:, None]) + constant - volumes[:, None] - half * np.log1p(squares / FREEDOM)
+        return np.asarray(found)
 
     def _squares(self, x: Floats) -> tuple[Floats, Floats]:
         """Squared distances in units of every component ``(K, N)``, and ln of their volumes ``(K,)``."""

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
+from scipy.special import logsumexp
 
 from bnserve_posterior.sampling._bending import Bending
 from bnserve_posterior.sampling._islands import islands
@@ -17,10 +18,14 @@ from bnserve_posterior.sampling._turning import emptiest, opened
 Floats = NDArray[np.float64]
 _ANYWHERE = 0.05
 """How often a place is a draw from the prior."""
-_FEWEST_COMPONENTS = 3
+_FEWEST_COMPONENTS = 5
 """Of the mixture of a small island."""
 _WIDENING = 1.2
 """Of scales: what is in the tails of a posterior is not in those of the points that a mixture is fitted to."""
+
+
+_STEP, _SPREAD = 0.5, 0.5
+"""Of a component's width, and of the logarithm of that: a fifth of the steps is taken in eleven dimensions."""
 
 
 class Part(NamedTuple):
@@ -69,12 +74,41 @@ class Proposal(NamedTuple):
     def log_density(self, points: Floats) -> Floats:
         """ln of the density at points ``(N, D)`` in the cube."""
         y, volumes = self.coordinates.from_cube(points)
-        each = [
-            np.log(part.share) + part.mixture.log_density(part.bending.straight(y)) + part.bending.log_volume
-            for part in self.parts
-        ]
-        mixture = np.logaddexp.reduce(each, axis=0) - volumes
+        mixture = logsumexp(self._log_densities(y), axis=0) - volumes
         return np.logaddexp(np.log1p(-_ANYWHERE) + mixture, np.log(_ANYWHERE))
+
+    def step(self, points: Floats, random: np.random.Generator) -> tuple[Floats, Floats]:
+        """A step from each of the points ``(N, D)``, and ln of the factor ``(N,)`` by which the ratio of the target
+        there and here is to be multiplied before it is taken or left (Metropolis, Hastings).
+
+        It is as large as the component that holds the point is wide; that another may hold the place where it leads to
+        is part of the factor.
+        """
+        y, volumes = self.coordinates.from_cube(points)
+        held = self._log_densities(y)
+        chosen = np.argmax(held + random.gumbel(size=held.shape), axis=0)
+        there, first = y.copy(), 0
+        for part in self.parts:
+            sizes = _STEP * np.exp(_SPREAD * random.standard_normal(len(y)))
+            step = sizes[:, None] * random.standard_normal(y.shape)
+            rows = np.flatnonzero((chosen >= first) & (chosen < first + len(part.mixture.shares)))
+            scales = part.mixture.scales[chosen[rows] - first]
+            moved = part.bending.straight(y[rows]) + np.einsum("nij,nj->ni", scales, step[rows])
+            there[rows] = part.bending.bent(moved)
+            first += len(part.mixture.shares)
+        found, theirs = self.coordinates.to_cube(there)
+        found[~np.isfinite(theirs)] = -1.0
+        among = np.arange(len(y))
+        hold = self._log_densities(there)
+        held_by = held[chosen, among] - logsumexp(held, axis=0)
+        return found, theirs - volumes + hold[chosen, among] - logsumexp(hold, axis=0) - held_by
+
+    def _log_densities(self, y: Floats) -> Floats:
+        """ln of each component's part of the density at coordinates ``(N, D)``, of all islands, ``(K, N)``."""
+        return np.concatenate([
+            math.log(part.share) + part.bending.log_volume + part.mixture.log_densities(part.bending.straight(y))
+            for part in self.parts
+        ])  # fmt: skip
 
 
 def inside(points: Floats) -> NDArray[np.intp]:

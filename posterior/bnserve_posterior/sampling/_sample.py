@@ -14,6 +14,7 @@ from bnserve_posterior.sampling._errors import PosteriorUnreliable
 from bnserve_posterior.sampling._evaluation import Evaluator
 from bnserve_posterior.sampling._importance import Weighted
 from bnserve_posterior.sampling._pareto import BELIEVED
+from bnserve_posterior.sampling._population import Population
 from bnserve_posterior.sampling._posterior import Posterior
 from bnserve_posterior.sampling._problem import Problem, Progress, Settings
 
@@ -21,8 +22,10 @@ Report = Callable[[Progress], None]
 DEFAULTS = Settings()
 _STARTS = 2
 """Populations that know nothing of each other."""
-_ATTEMPTS = 4
-"""So often proposals are fitted at most; after the first time, each to its own draws of the time before."""
+_ATTEMPTS = 3
+"""So often populations settle at most; after the first time, they begin with the draws of the time before."""
+_PHASES = 2 * _STARTS
+"""Of one attempt, whose random numbers are its own."""
 _ROUND, _JUDGED = 4, 4
 """Draws of a round from each proposal for each particle; after so many rounds weights are judged, after twice as many
 where proposals were fitted anew: there is more to fit to the next time."""
@@ -67,9 +70,9 @@ def sample(
     """
     _check(problem, settings)
     run = _Run(problem, settings, checkpoint, progress or (lambda _: None))
-    for start in range(len(run.state.proposals), _STARTS):
-        run.find(start)
     while True:
+        for start in range(len(run.state.proposals), _STARTS):
+            run.find(start)
         found = run.draw()
         if (wrong := run.objection(found)) is None:
             return run.posterior(found)
@@ -118,21 +121,27 @@ class _Run:
             self.evaluate.likelihoods = self.state.likelihoods
 
     def find(self, start: int) -> None:
-        """A proposal, by way of a population."""
-        particles = self.settings.particles
-        now = self.state.population
+        """A proposal, fitted to where the particles of a population are while it settles."""
+        particles, state, phase = self.settings.particles, self.state, _PHASES * self.state.attempt + start
+        now = state.begun.pop(0) if state.population is None and state.begun else state.population
         if now is None:
-            now = _population.begin(self.evaluate, particles, self.random(start, 0))
+            now = _population.begin(self.evaluate, particles, self.random(phase, 0))
         while now.power < 1.0:
-            now = _population.advance(self.evaluate, now, particles, self.random(start, now.step + 1))
-            self.state.population = now
-            self.keep(
-                Progress(f"population {start + 1}", now.step, now.power, np.nan, np.nan, self.evaluate.likelihoods)
-            )
-        random = self.random(start, now.step + 1)
-        self.state.proposals.append(_importance.adapted(self.evaluate, now.points, particles, random))
-        self.state.population = None
-        self.keep(Progress(f"proposal {start + 1}", now.step + 1, 1.0, np.nan, np.nan, self.evaluate.likelihoods))
+            now = _population.advance(self.evaluate, now, particles, self.random(phase, now.step + 1))
+            state.population = now
+            self.moved(f"population {start + 1}", now)
+        if state.been is None:
+            state.been = np.empty((0, *now.points.shape))
+        while len(state.been) < _population.SETTLING:
+            random = self.random(phase, now.step + 1 + len(state.been))
+            now, state.been = _population.settle(self.evaluate, now, state.been, random)
+            state.population = now
+            self.moved(f"population {start + 1} settles", now)
+        random = self.random(phase, now.step + 1 + len(state.been))
+        been = state.been.reshape(-1, self.evaluate.problem.dimensions)
+        state.proposals.append(_importance.fitted(self.evaluate.problem, been, random))
+        state.population = state.been = None
+        self.moved(f"proposal {start + 1}", now)
 
     def draw(self) -> Weighted:
         """Draws from all proposals, until they are worth enough or cannot be believed."""
@@ -145,7 +154,7 @@ class _Run:
                     return found
                 if found.effective >= self.settings.effective or rounds * sum(counts) >= self.most_draws():
                     return found
-            random = self.random(_STARTS + state.attempt, rounds)
+            random = self.random(_PHASES * state.attempt + _STARTS, rounds)
             fresh = _importance.draw(self.evaluate, state.proposals, counts, random)
             state.draws = fresh if state.draws is None else _importance.joined(state.draws, fresh)
             found = _importance.weighted(state.draws)
@@ -180,14 +189,14 @@ class _Run:
         return tuple((each.log_evidence, each.log_evidence_error) for each in found)
 
     def refit(self) -> None:
-        """Fit each proposal to its own draws, and begin to draw anew; none tells the other what it missed."""
-        state, draws, problem = self.state, self.state.draws, self.evaluate.problem
+        """Begin again with what each proposal drew; none tells the other what it missed."""
+        state, draws, particles = self.state, self.state.draws, self.settings.particles
         assert draws is not None
-        random = self.random(_STARTS + state.attempt, -1)
+        random = self.random(_PHASES * state.attempt + _STARTS, -1)
         own = [_importance.of_origin(draws, start) for start in range(_STARTS)]
-        state.proposals = [_importance.refitted(problem, each, random) for each in own]
-        state.attempt, state.draws = state.attempt + 1, None
-        self.keep(Progress("proposals again", state.attempt, 1.0, np.nan, np.nan, self.evaluate.likelihoods))
+        state.begun = [_importance.population_of(each, particles, random) for each in own]
+        state.attempt, state.proposals, state.draws = state.attempt + 1, [], None
+        self.keep(Progress("again", state.attempt, 1.0, np.nan, np.nan, self.evaluate.likelihoods))
 
     def posterior(self, found: Weighted) -> Posterior:
         """What was found, without what weighs nothing."""
@@ -201,6 +210,10 @@ class _Run:
     def random(self, phase: int, step: int) -> np.random.Generator:
         """Of a step; the same whether the run was interrupted or not."""
         return np.random.default_rng([self.settings.seed, phase, step + 1])
+
+    def moved(self, stage: str, now: Population) -> None:
+        """Write down where a population is."""
+        self.keep(Progress(stage, now.step, now.power, np.nan, np.nan, self.evaluate.likelihoods))
 
     def keep(self, progress: Progress) -> None:
         """Write the state down and say how far it is."""
