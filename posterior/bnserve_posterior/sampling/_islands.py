@@ -1,4 +1,4 @@
-"""Islands of points: groups with nothing between them, each of which has a shape of its own."""
+"""Islands of points: groups with next to nothing between them, each of which has a shape of its own."""
 
 from __future__ import annotations
 
@@ -8,8 +8,11 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 _FEWEST = 4
 """Points of an island for each dimension: of fewer the shape is not known."""
-_WIDE = 1.0
-"""An empty stretch of a column parts two islands where it is wider than this many standard deviations of either."""
+_BINS = 50
+_VALLEY = 0.1
+"""Two peaks of a column are two islands where so little of the lower one is between them."""
+_PEAK, _PART = 20.0, 0.002
+"""Points in a bin of a peak, and their part of all, at least."""
 
 
 def islands(y: Floats, weights: Floats) -> list[NDArray[np.intp]]:
@@ -17,7 +20,7 @@ def islands(y: Floats, weights: Floats) -> list[NDArray[np.intp]]:
     found, left = [], [np.arange(len(y))]
     while left:
         rows = left.pop()
-        parted = _parted(y[rows], _FEWEST * y.shape[1])
+        parted = _parted(y[rows])
         if parted is None:
             found.append(rows)
         else:
@@ -25,19 +28,19 @@ def islands(y: Floats, weights: Floats) -> list[NDArray[np.intp]]:
     return sorted(found, key=lambda rows: -float(weights[rows].sum()))
 
 
-def _parted(y: Floats, fewest: int) -> NDArray[np.bool_] | None:
-    """Which points are on one side of the widest empty stretch of any column, if it is wide."""
+def _parted(y: Floats) -> NDArray[np.bool_] | None:
+    """Which points are on one side of the deepest valley of any column, if it is deep."""
+    fewest, deepest, best = _FEWEST * y.shape[1], _VALLEY, None
     if len(y) < 2 * fewest:
         return None
-    widest, best = _WIDE, None
     for column in y.T:
-        ordered = np.sort(column)
-        number = np.arange(1, len(ordered))
-        sums, squares = np.cumsum(ordered - ordered.mean()), np.cumsum((ordered - ordered.mean()) ** 2)
-        before = squares[:-1] / number - (sums[:-1] / number) ** 2
-        after = (squares[-1] - squares[:-1]) / number[::-1] - ((sums[-1] - sums[:-1]) / number[::-1]) ** 2
-        spread = np.sqrt(np.maximum(np.maximum(before, after), 0.0)) + 1e-300
-        wide = (np.diff(ordered) / spread)[fewest - 1 : len(ordered) - fewest]
-        if len(wide) and wide.max() > widest:
-            widest, best = wide.max(), column <= ordered[fewest - 1 + int(np.argmax(wide))]
+        counts, edges = np.histogram(column, _BINS, np.quantile(column, [0.001, 0.999]))
+        smooth = np.convolve(np.convolve(counts, [0.25, 0.5, 0.25]), [0.25, 0.5, 0.25])[2:-2]
+        left, right = np.maximum.accumulate(smooth), np.maximum.accumulate(smooth[::-1])[::-1]
+        lower = np.minimum(left, right)
+        high = lower > max(_PEAK, _PART * len(y))
+        depth = np.where(high, smooth / np.where(high, lower, 1.0), 1.0)
+        at = edges[int(np.argmin(depth))] + 0.5 * (edges[1] - edges[0])
+        if depth.min() < deepest and fewest <= np.sum(column <= at) <= len(y) - fewest:
+            deepest, best = depth.min(), column <= at
     return best

@@ -24,6 +24,8 @@ _WIDENING = 1.2
 """Of scales: what is in the tails of a posterior is not in those of the points that a mixture is fitted to."""
 
 
+_GUARD = 0.1, 1.5
+"""Share of a component that is as wide as all of an island, and its factor to that."""
 _STEP, _SPREAD = 0.5, 0.5
 """Of a component's width, and of the logarithm of that: a fifth of the steps is taken in eleven dimensions."""
 
@@ -58,8 +60,9 @@ class Proposal(NamedTuple):
             share = float(weights[rows].sum())
             own, most = weights[rows] / share, max(_FEWEST_COMPONENTS, math.ceil(components * share))
             bending = Bending.fit(y[rows], own)
-            mixture = Mixture.fit(bending.straight(y[rows]), own, most, iterations, random)
-            parts.append(Part(share, bending, mixture.widened(_WIDENING)))
+            straight = bending.straight(y[rows])
+            mixture = Mixture.fit(straight, own, most, iterations, random).widened(_WIDENING)
+            parts.append(Part(share, bending, mixture.with_guard(straight, own, *_GUARD)))
         return cls(turns, coordinates, tuple(parts))
 
     def draw(self, count: int, random: np.random.Generator) -> Floats:
