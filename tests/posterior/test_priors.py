@@ -309,7 +309,7 @@ def test_where_the_polarisations_in_a_plane_are_the_same_a_triangle_hears_the_sa
     for row in range(len(some)):
         here, now = strains(one, row), strains(other, row)
         gain = np.vdot(here, now) / np.vdot(here, here)
-        np.testing.assert_allclose(now, gain * here, atol=0.02 * np.abs(now).max())
+        np.testing.assert_allclose(now, gain * here, atol=0.03 * np.abs(now).max())
         assert len(integrated) == 2 or abs(abs(gain) - 1.0) < 0.02
 
 

@@ -31,6 +31,10 @@ Values = Mapping[str, Floats]
 
 _LOWEST = 0.15
 """Of abs(h): nearer to the plane the arms see one polarisation alone, and c_1, c_2 would not fix a_R, a_L."""
+_CIRCULAR = 0.012
+_SOFT, _NEWTON_STEPS = _CIRCULAR**1.5, 12
+"""A ratio of the two waves counts as larger than it is where it is below _CIRCULAR. In the true one the density of
+binaries that are seen nearly from above or below has no end: half a turn of the inclination is next to no ratio."""
 _LEAST_PART = 0.05
 """Of the response to one polarisation in that to the other: detectors of which all see the same have no ratio."""
 
@@ -68,7 +72,8 @@ class Polarisations:
         """Fill the columns of ``y`` ``(N, D)`` from parameters ``(N,)``; returns ln of the volume ``(N,)``."""
         azimuth, turn, side, high, low = self._place(values)
         cosine, angle = side * np.cos(values["theta_jn"]), side * (values["psi"] + turn)
-        b_1, b_2 = 0.25 * (1.0 - cosine) ** 2 * np.exp(-2j * angle), 0.25 * (1.0 + cosine) ** 2 * np.exp(2j * angle)
+        b_1, b_2 = _sizes(cosine)
+        b_1, b_2 = b_1 * np.exp(-2j * angle), b_2 * np.exp(2j * angle)
         c_1, c_2 = high * b_1 + low * b_2, low * b_1 + high * b_2
         y[:, self.columns[0]] = np.log(np.abs(c_2 / c_1))
         y[:, self.columns[1]] = np.mod((angle + _excess(b_1, b_2, c_1, c_2) - azimuth) / self._range, 1.0)
@@ -83,20 +88,22 @@ class Polarisations:
         c_1, c_2 = np.exp(-half - 2j * seen), np.exp(half + 2j * seen)
         determinant = high**2 - low**2
         b_1, b_2 = (high * c_1 - low * c_2) / determinant, (high * c_2 - low * c_1) / determinant
-        roots = np.sqrt(np.abs([b_1, b_2]))
+        cosine = _cosine(np.abs(b_1 / b_2))
         psi = side * (seen - _excess(b_1, b_2, c_1, c_2)) - turn
-        values["theta_jn"] = np.arccos(np.clip(side * (roots[1] - roots[0]) / (roots[1] + roots[0]), -1.0, 1.0))
+        values["theta_jn"] = np.arccos(side * cosine)
         u[:, self.columns[0]] = quantiles(self._cube, "theta_jn", values["theta_jn"])
         u[:, self.columns[1]] = np.mod((psi - self._low) / self._range, 1.0)
         if len(self.columns) == 3:
-            distance = (roots[0] + roots[1]) ** -2.0 * np.exp(-y[:, self.columns[2]])
+            sizes = np.sqrt(np.abs(c_1 * c_2 / (b_1 * b_2)) * np.prod(_sizes(cosine), axis=0))
+            distance = sizes * np.exp(-y[:, self.columns[2]])
             values["luminosity_distance"] = distance
             u[:, self.columns[2]] = quantiles(self._cube, "luminosity_distance", distance)
         return self._log_volume(np.abs(c_1 * c_2 / (b_1 * b_2)), determinant, values)
 
     def _log_volume(self, gain: Floats, determinant: Floats, values: Values) -> Floats:
         theta = values["theta_jn"]
-        density = log_density(self._cube, "theta_jn", theta) + np.log(np.maximum(np.sin(theta), 1e-300) / 4.0)
+        slope = 2.0 * _slope(np.abs(np.tan(0.5 * theta)) ** 2)
+        density = log_density(self._cube, "theta_jn", theta) + np.log(np.maximum(np.sin(theta), 1e-300) / slope)
         found = density + 2.0 * np.log(gain / determinant)
         if len(self.columns) == 3:
             distance = values["luminosity_distance"]
@@ -113,6 +120,37 @@ class Polarisations:
         above = np.maximum(np.abs(height), _LOWEST)
         side = np.where(height > 0.0, 1.0, -1.0)
         return np.arctan2(y, x), turn, side, (0.5 * (1.0 + above)) ** 2, (0.5 * (1.0 - above)) ** 2
+
+
+def _sizes(cosine: Floats) -> Floats:
+    """abs(b_1) and abs(b_2) as coordinates have them, ``(2, N)``: the smaller of the two is never far below _CIRCULAR
+    of the other."""
+    x = (1.0 - cosine) / (1.0 + cosine)
+    with np.errstate(divide="ignore"):
+        inverse = 1.0 / x
+    ratio = np.where(x < 1.0, _ratio(np.minimum(x, 1.0)), 1.0 / _ratio(np.minimum(inverse, 1.0)))
+    larger = 0.25 * (1.0 + np.abs(cosine)) ** 2
+    return np.array([larger * np.minimum(ratio, 1.0), larger / np.maximum(ratio, 1.0)])
+
+
+def _ratio(x: Floats) -> Floats:
+    """Of the smaller to the larger wave, x^2 but for the smallest."""
+    return np.sqrt((x**4 + _SOFT * x) / (1.0 + _SOFT))
+
+
+def _slope(x: Floats) -> Floats:
+    """d ln(ratio) / d ln(x)."""
+    x = np.minimum(x, 1.0 / np.maximum(x, 1e-300))
+    return (2.0 * x**3 + 0.5 * _SOFT) / (x**3 + _SOFT)
+
+
+def _cosine(ratio: Floats) -> Floats:
+    """The way back from abs(b_1 / b_2)."""
+    wanted = np.square(np.minimum(ratio, 1.0 / ratio)) * (1.0 + _SOFT)
+    x = np.minimum(wanted / _SOFT, wanted**0.25)
+    for _ in range(_NEWTON_STEPS):
+        x = np.maximum(x - (x**4 + _SOFT * x - wanted) / (4.0 * x**3 + _SOFT), 0.0)
+    return np.where(ratio < 1.0, 1.0, -1.0) * (1.0 - x) / (1.0 + x)
 
 
 def _excess(b_1: NDArray[np.complex128], b_2: Floats, c_1: Floats, c_2: Floats) -> Floats:

@@ -117,6 +117,26 @@ def _solve_chirp_mass(wanted: Floats, q: Floats) -> Floats:
     return x
 
 
+class _LighterSpin:
+    """``chi_2`` as it is: what else is measured depends on its square."""
+
+    needs = ("chi_2",)
+
+    def __init__(self, cube: PriorCube) -> None:
+        self._cube, self._place = cube, cube.names.index("chi_2")
+        self.columns = (self._place,)
+        self.circles: tuple[int, ...] = ()
+
+    def forward(self, y: Floats, values: Values) -> Floats:
+        y[:, self._place] = values["chi_2"]
+        return log_density(self._cube, "chi_2", values["chi_2"])
+
+    def backward(self, u: Floats, y: Floats, values: dict[str, Floats]) -> Floats:
+        values["chi_2"] = y[:, self._place]
+        u[:, self._place] = quantiles(self._cube, "chi_2", values["chi_2"])
+        return log_density(self._cube, "chi_2", values["chi_2"])
+
+
 class _Tides:
     """``lambda_1`` as the reduced tidal parameter."""
 
@@ -187,7 +207,7 @@ class _Sky:
         return found
 
 
-_Block = _Masses | _Tides | _Sky | Polarisations
+_Block = _LighterSpin | _Masses | _Tides | _Sky | Polarisations
 
 
 def coordinates_of(
@@ -203,6 +223,8 @@ def coordinates_of(
     blocks: list[_Block] = []
     known = {*cube.names, *cube.fixed}
     if {*_Masses.needs} <= {*cube.names} and "chi_2" in known:
+        if "chi_2" in cube.names:
+            blocks.append(_LighterSpin(cube))
         blocks.append(_Masses(cube))
     if tides and {*_Tides.needs} <= {*cube.names}:
         blocks.append(_Tides(cube))

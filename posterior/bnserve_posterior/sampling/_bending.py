@@ -1,6 +1,6 @@
 """Coordinates learnt from weighted points, in which curved ridges are straight.
 
-Each coordinate, from the widest to the one that the others determine best, less a quadratic polynomial of those before
+Each coordinate, from the widest to the one that the others determine best, less a polynomial of those before
 it: a triangular map whose volume is constant and which is undone one coordinate after the other. What is left of a
 banana is its thickness.
 """
@@ -19,13 +19,13 @@ _POINTS_PER_TERM = 10
 """Effective points for each term of a polynomial; where there are fewer, it is linear."""
 _ORDERING = 2000
 """At most so many points say which coordinate is before which."""
-_FARTHEST = 8.0
+_FARTHEST, _FARTHEST_CUBES = 8.0, 4.0
 """Standard deviations: farther out polynomials stay as they are here, and do not run away."""
 
 
 class Bending(NamedTuple):
     """Centre and width ``(D,)``, the order of the coordinates, and each one's polynomial of those before it, ``(D, T)``
-    with zeros behind; ``terms`` says of which degree it is."""
+    with zeros behind, of a degree."""
 
     centre: Floats
     width: Floats
@@ -41,13 +41,13 @@ class Bending(NamedTuple):
         width = np.where(width > 0.0, width, 1.0)
         z = (y - centre) / width
         dimensions = y.shape[1]
-        terms = (dimensions + 1) * (dimensions + 2) // 2
-        degree = 2 if 1.0 / np.sum(weights**2) > _POINTS_PER_TERM * terms else 1
+        effective = 1.0 / np.sum(weights**2)
+        degree = max(d for d in (1, 2, 3) if d == 1 or effective > _POINTS_PER_TERM * _count(dimensions, d))
         some = slice(None, None, -(-len(z) // _ORDERING))
         left = [_left(z[some], weights[some] / weights[some].sum(), column, degree) for column in range(dimensions)]
         order = np.argsort(left)[::-1].astype(np.int64)
         z = z[:, order]
-        polynomials = np.zeros((dimensions, terms))
+        polynomials = np.zeros((dimensions, _count(dimensions, degree)))
         for column in range(dimensions):
             before = _terms(z[:, :column], degree)
             polynomials[column, : before.shape[1]] = _least_squares(before, z[:, column], weights)
@@ -83,13 +83,23 @@ def _left(z: Floats, weights: Floats, column: int, degree: int) -> float:
     return float(weights @ (z[:, column] - others @ _least_squares(others, z[:, column], weights)) ** 2)
 
 
+def _count(dimensions: int, degree: int) -> int:
+    """Terms of a polynomial."""
+    return _terms(np.zeros((1, dimensions)), degree).shape[1]
+
+
 def _terms(z: Floats, degree: int) -> Floats:
-    """One, the columns and, in the second degree, their products."""
+    """One and the columns; in the second degree their products; in the third, nearer by, squares times columns, and
+    fourth powers."""
     z = np.clip(z, -_FARTHEST, _FARTHEST)
     parts = [np.ones((len(z), 1)), z]
-    if degree == 2:
+    if degree > 1:
         first, second = np.triu_indices(z.shape[1])
         parts.append(z[:, first] * z[:, second])
+    if degree > 2:
+        near = np.clip(z, -_FARTHEST_CUBES, _FARTHEST_CUBES)
+        cubes = near[:, :, None] ** 2 * near[:, None, :]
+        parts += [cubes.reshape(len(z), -1), near**4]
     return np.concatenate(parts, axis=1)
 
 

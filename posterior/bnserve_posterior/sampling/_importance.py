@@ -22,8 +22,8 @@ from bnserve_posterior.sampling._problem import Problem
 from bnserve_posterior.sampling._proposals import Proposal, inside
 
 Floats = NDArray[np.float64]
-_COMPONENTS = 50
-"""Of a mixture: measured with a binary neutron star; ten are worth a little less, fifty no more."""
+_COMPONENTS = 100
+"""Of a mixture, where there are points enough."""
 _TWINS = 0.05
 """For each point: places that hardly any particle has been to have a density there, as small as they are."""
 _ITERATIONS = 15

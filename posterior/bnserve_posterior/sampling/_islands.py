@@ -11,7 +11,7 @@ _FEWEST = 4
 _BINS = 50
 _VALLEY = 0.1
 """Two peaks of a column are two islands where so little of the lower one is between them."""
-_PEAK, _PART = 20.0, 0.002
+_PEAK, _PART = 8.0, 0.002
 """Points in a bin of a peak, and their part of all, at least."""
 
 
@@ -30,8 +30,8 @@ def islands(y: Floats, weights: Floats) -> list[NDArray[np.intp]]:
 
 def _parted(y: Floats) -> NDArray[np.bool_] | None:
     """Which points are on one side of the deepest valley of any column, if it is deep."""
-    fewest, deepest, best = _FEWEST * y.shape[1], _VALLEY, None
-    if len(y) < 2 * fewest:
+    least, deepest, best = _FEWEST * y.shape[1], _VALLEY, None
+    if len(y) < 2 * least:
         return None
     for column in y.T:
         counts, edges = np.histogram(column, _BINS, np.quantile(column, [0.001, 0.999]))
@@ -41,6 +41,6 @@ def _parted(y: Floats) -> NDArray[np.bool_] | None:
         high = lower > max(_PEAK, _PART * len(y))
         depth = np.where(high, smooth / np.where(high, lower, 1.0), 1.0)
         at = edges[int(np.argmin(depth))] + 0.5 * (edges[1] - edges[0])
-        if depth.min() < deepest and fewest <= np.sum(column <= at) <= len(y) - fewest:
+        if depth.min() < deepest and least <= np.sum(column <= at) <= len(y) - least:
             deepest, best = depth.min(), column <= at
     return best
