@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 Floats = NDArray[np.float64]
 _RIDGE = 1e-3
 """Of the least squares, in units of the points' own spread: few points do not bend."""
-_POINTS_PER_TERM = 10
-"""Effective points for each term of a polynomial; where there are fewer, it is linear."""
+_POINTS_PER_TERM = {1: 0, 2: 10, 3: 60}
+"""Effective points for each term of a polynomial, by its degree; the third costs a second for ten thousand points."""
 _ORDERING = 2000
 """At most so many points say which coordinate is before which."""
 _FARTHEST, _FARTHEST_CUBES = 8.0, 4.0
@@ -42,7 +42,7 @@ class Bending(NamedTuple):
         z = (y - centre) / width
         dimensions = y.shape[1]
         effective = 1.0 / np.sum(weights**2)
-        degree = max(d for d in (1, 2, 3) if d == 1 or effective > _POINTS_PER_TERM * _count(dimensions, d))
+        degree = max(d for d, points in _POINTS_PER_TERM.items() if effective > points * _count(dimensions, d))
         some = slice(None, None, -(-len(z) // _ORDERING))
         left = [_left(z[some], weights[some] / weights[some].sum(), column, degree) for column in range(dimensions)]
         order = np.argsort(left)[::-1].astype(np.int64)
