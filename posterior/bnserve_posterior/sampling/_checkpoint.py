@@ -18,6 +18,7 @@ from bnserve_posterior.sampling._population import Population
 from bnserve_posterior.sampling._problem import Problem, Settings
 from bnserve_posterior.sampling._proposals import Part, Proposal
 from bnserve_posterior.sampling._turning import opened
+from bnserve_store import replacing
 
 Floats = NDArray[np.float64]
 _PROBES = 4
@@ -52,10 +53,8 @@ def write(path: Path, state: State, identity: Floats) -> None:
             name = f"{number}.{k}"
             arrays[f"share.{name}"] = share
             arrays |= _named(f"bending.{name}", bending) | _named(f"mixture.{name}", mixture)
-    partial = path.with_name(f"{path.name}.part")
-    with partial.open("wb") as file:
+    with replacing(path) as partial, partial.open("wb") as file:
         np.savez(file, **arrays)
-    partial.replace(path)
 
 
 def read(path: Path, problem: Problem, identity: Floats) -> State:

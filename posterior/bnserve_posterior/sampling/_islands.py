@@ -11,6 +11,8 @@ _FEWEST = 4
 _BINS = 50
 _VALLEY = 0.1
 """Two peaks of a column are two islands where so little of the lower one is between them."""
+_SAME = 1e-9
+"""A column of which all values are that near to each other has no valley."""
 _PEAK, _PART = 8.0, 0.002
 """Points in a bin of a peak, and their part of all, at least."""
 
@@ -34,7 +36,10 @@ def _parted(y: Floats) -> NDArray[np.bool_] | None:
     if len(y) < 2 * least:
         return None
     for column in y.T:
-        counts, edges = np.histogram(column, _BINS, np.quantile(column, [0.001, 0.999]))
+        low, high = np.quantile(column, [0.001, 0.999])
+        if high - low <= _SAME * max(abs(low), abs(high)):
+            continue
+        counts, edges = np.histogram(column, _BINS, (low, high))
         smooth = np.convolve(np.convolve(counts, [0.25, 0.5, 0.25]), [0.25, 0.5, 0.25])[2:-2]
         left, right = np.maximum.accumulate(smooth), np.maximum.accumulate(smooth[::-1])[::-1]
         lower = np.minimum(left, right)

@@ -77,7 +77,8 @@ class Mixture(NamedTuple):
         holds has a density all the same (Hesterberg, Technometrics 37, 185 (1995))."""
         mean = weights @ points
         left = points - mean
-        covariance = (left.T * weights) @ left + _RIDGE * np.diag(weights @ left**2 + 1e-300)
+        variances = weights @ left**2
+        covariance = (left.T * weights) @ left + _RIDGE * np.diag(np.where(variances > 0.0, variances, 1.0))
         scale = factor * np.linalg.cholesky(covariance)
         return Mixture(
             np.append((1.0 - share) * self.shares, share),
