@@ -137,6 +137,30 @@ class _LighterSpin:
         return log_density(self._cube, "chi_2", values["chi_2"])
 
 
+class _LighterTide:
+    """The root of ``lambda_2``: the quadrupole that a spin raises grows about as it does."""
+
+    needs = ("lambda_2",)
+
+    def __init__(self, cube: PriorCube) -> None:
+        self._cube, self._place = cube, cube.names.index("lambda_2")
+        self.columns = (self._place,)
+        self.circles: tuple[int, ...] = ()
+
+    def forward(self, y: Floats, values: Values) -> Floats:
+        y[:, self._place] = np.sqrt(values["lambda_2"])
+        return self._log_volume(values["lambda_2"])
+
+    def backward(self, u: Floats, y: Floats, values: dict[str, Floats]) -> Floats:
+        root = y[:, self._place]
+        values["lambda_2"] = np.where(root > 0.0, root**2, np.nan)
+        u[:, self._place] = quantiles(self._cube, "lambda_2", values["lambda_2"])
+        return self._log_volume(values["lambda_2"])
+
+    def _log_volume(self, tide: Floats) -> Floats:
+        return log_density(self._cube, "lambda_2", tide) + np.log(2.0 * np.sqrt(np.maximum(tide, 1e-300)))
+
+
 class _Tides:
     """``lambda_1`` as the reduced tidal parameter."""
 
@@ -207,7 +231,7 @@ class _Sky:
         return found
 
 
-_Block = _LighterSpin | _Masses | _Tides | _Sky | Polarisations
+_Block = _LighterSpin | _Masses | _LighterTide | _Tides | _Sky | Polarisations
 
 
 def coordinates_of(
@@ -227,7 +251,7 @@ def coordinates_of(
             blocks.append(_LighterSpin(cube))
         blocks.append(_Masses(cube))
     if tides and {*_Tides.needs} <= {*cube.names}:
-        blocks.append(_Tides(cube))
+        blocks += [_LighterTide(cube), _Tides(cube)]
     axis = sky_axis(detectors)
     if axis is not None and isotropic(cube):
         blocks.append(_Sky(cube, axis, detectors[0]))
