@@ -121,6 +121,15 @@ def test_a_proposal_of_islands_draws_as_its_density_says():
     assert np.abs(density / 1e4 - held / 2e5).sum() < 0.1
 
 
+def test_the_first_draws_are_as_the_last():
+    random = np.random.default_rng(14)
+    proposal = proposal_of_islands(random)
+    first, last = np.split(proposal.draw(20_000, random), 2)
+    for column in range(2):
+        one, other = (np.histogram(each[:, column], 10, (0.0, 1.0))[0] for each in (first, last))
+        assert np.abs(one - other).max() < 250  # five standard deviations
+
+
 def test_steps_leave_what_is_drawn_as_it_is():
     random = np.random.default_rng(13)
     proposal = proposal_of_islands(random)

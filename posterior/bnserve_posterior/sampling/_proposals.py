@@ -22,8 +22,6 @@ _FEWEST_COMPONENTS = 5
 """Of the mixture of a small island."""
 _WIDENING = 1.2
 """Of scales: what is in the tails of a posterior is not in those of the points that a mixture is fitted to."""
-
-
 _GUARD = 0.1, 1.5
 """Share of a component that is as wide as all of an island, and its factor to that."""
 _STEP, _SPREAD = 0.5, 0.5
@@ -66,11 +64,11 @@ class Proposal(NamedTuple):
         return cls(turns, coordinates, tuple(parts))
 
     def draw(self, count: int, random: np.random.Generator) -> Floats:
-        """Points ``(count, D)`` whose density is :meth:`log_density`; some are outside of the cube."""
+        """Points ``(count, D)`` whose density is :meth:`log_density`, each of them; some are outside of the cube."""
         shares = np.array([part.share for part in self.parts])
         counts = random.multinomial(count, shares / shares.sum())
         drawn = [part.bending.bent(part.mixture.draw(n, random)) for n, part in zip(counts, self.parts, strict=True)]
-        points, volumes = self.coordinates.to_cube(np.concatenate(drawn))
+        points, volumes = self.coordinates.to_cube(random.permutation(np.concatenate(drawn)))
         points[~np.isfinite(volumes)] = -1.0
         return np.where(random.random((count, 1)) < _ANYWHERE, random.random(points.shape), points)
 
