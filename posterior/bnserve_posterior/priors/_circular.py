@@ -102,7 +102,7 @@ class Polarisations:
 
     def _log_volume(self, gain: Floats, determinant: Floats, values: Values) -> Floats:
         theta = values["theta_jn"]
-        slope = 2.0 * _slope(np.abs(np.tan(0.5 * theta)) ** 2)
+        slope = 2.0 * _slope(np.abs(np.cos(theta)))
         density = log_density(self._cube, "theta_jn", theta) + np.log(np.maximum(np.sin(theta), 1e-300) / slope)
         found = density + 2.0 * np.log(gain / determinant)
         if len(self.columns) == 3:
@@ -125,22 +125,19 @@ class Polarisations:
 def _sizes(cosine: Floats) -> Floats:
     """abs(b_1) and abs(b_2) as coordinates have them, ``(2, N)``: the smaller of the two is never far below _CIRCULAR
     of the other."""
-    x = (1.0 - cosine) / (1.0 + cosine)
-    with np.errstate(divide="ignore"):
-        inverse = 1.0 / x
-    ratio = np.where(x < 1.0, _ratio(np.minimum(x, 1.0)), 1.0 / _ratio(np.minimum(inverse, 1.0)))
-    larger = 0.25 * (1.0 + np.abs(cosine)) ** 2
-    return np.array([larger * np.minimum(ratio, 1.0), larger / np.maximum(ratio, 1.0)])
+    larger, x = 0.25 * (1.0 + np.abs(cosine)) ** 2, (1.0 - np.abs(cosine)) / (1.0 + np.abs(cosine))
+    smaller = larger * _ratio(x)
+    return np.where(cosine > 0.0, [smaller, larger], [larger, smaller])
 
 
 def _ratio(x: Floats) -> Floats:
-    """Of the smaller to the larger wave, x^2 but for the smallest."""
+    """Of the smaller to the larger wave, of x = (1 - abs(cos)) / (1 + abs(cos)): x^2 but for the smallest."""
     return np.sqrt((x**4 + _SOFT * x) / (1.0 + _SOFT))
 
 
-def _slope(x: Floats) -> Floats:
+def _slope(cosine: Floats) -> Floats:
     """d ln(ratio) / d ln(x)."""
-    x = np.minimum(x, 1.0 / np.maximum(x, 1e-300))
+    x = (1.0 - cosine) / (1.0 + cosine)
     return (2.0 * x**3 + 0.5 * _SOFT) / (x**3 + _SOFT)
 
 
