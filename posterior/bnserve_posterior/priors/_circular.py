@@ -35,6 +35,8 @@ _CIRCULAR = 0.012
 _SOFT, _NEWTON_STEPS = _CIRCULAR**1.5, 12
 """A ratio of the two waves counts as larger than it is where it is below _CIRCULAR. In the true one the density of
 binaries that are seen nearly from above or below has no end: half a turn of the inclination is next to no ratio."""
+_LEAST = 1e-30
+"""Of that ratio's root: so that none is zero."""
 _LEAST_PART = 0.05
 """Of the response to one polarisation in that to the other: detectors of which all see the same have no ratio."""
 
@@ -126,7 +128,7 @@ def _sizes(cosine: Floats) -> Floats:
     """abs(b_1) and abs(b_2) as coordinates have them, ``(2, N)``: the smaller of the two is never far below _CIRCULAR
     of the other."""
     larger, x = 0.25 * (1.0 + np.abs(cosine)) ** 2, (1.0 - np.abs(cosine)) / (1.0 + np.abs(cosine))
-    smaller = larger * _ratio(x)
+    smaller = larger * _ratio(np.maximum(x, _LEAST))
     return np.where(cosine > 0.0, [smaller, larger], [larger, smaller])
 
 
