@@ -325,12 +325,6 @@ def test_errors_are_those_of_extended_precision(model):
     np.testing.assert_allclose(list(ours.errors().values()), expected.astype(float)[:, None], rtol=1e-9)
 
 
-def test_priors_that_leave_no_number_are_singular(model):
-    found = forecast(model, network(), BINARY, ForecastOptions(modes=((2, 2),), priors={"lambda_tilde": 1e-200}))
-    assert found.singular[0]
-    assert np.isnan(found.errors()["chi_1"][0])
-
-
 def test_a_direction_that_changes_nothing_has_no_condition():
     assert np.isinf(condition(np.zeros((1, 3, 3)))[0])
     assert condition(np.eye(3)[None])[0] == pytest.approx(1.0)
