@@ -16,6 +16,7 @@ from bnserve_posterior.sampling import (
     PosteriorUnreliable,
     Problem,
     Settings,
+    _checkpoint,
     plain,
     sample,
 )
@@ -106,13 +107,15 @@ def test_no_call_has_more_points_than_a_batch_and_progress_is_told(undisturbed):
     assert abs(told[-1].log_evidence - undisturbed.log_evidence) < 1e-12
 
 
-@pytest.mark.parametrize("other", ["likelihood", "settings", "circles"])
-def test_the_checkpoint_of_another_run_is_refused(tmp_path, other):
+@pytest.mark.parametrize("other", ["likelihood", "settings", "circles", "format"])
+def test_the_checkpoint_of_another_run_is_refused(tmp_path, monkeypatch, other):
     checkpoint = tmp_path / "checkpoint.npz"
     sample(Problem(normal, 4), SETTINGS, checkpoint=checkpoint)
     problem = Problem((lambda u: normal(u) + 1.0) if other == "likelihood" else normal, 4)
     if other == "circles":
         problem = Problem(normal, 4, plain((0,)))
+    if other == "format":
+        monkeypatch.setattr(_checkpoint, "_FORMAT", 3)
     settings = Settings(particles=301, effective=2000, batch=1000) if other == "settings" else SETTINGS
     with pytest.raises(CheckpointMismatch, match=r"'checkpoint.npz' is the checkpoint of another .* delete it"):
         sample(problem, settings, checkpoint=checkpoint)

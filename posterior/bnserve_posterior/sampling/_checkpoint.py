@@ -21,6 +21,8 @@ from bnserve_posterior.sampling._turning import opened
 from bnserve_store import replacing
 
 Floats = NDArray[np.float64]
+_FORMAT = 2
+"""Of the file; what another version of this sampler wrote is not read as if it were the same."""
 _PROBES = 4
 """Points of the prior whose likelihoods and coordinates tell one problem from another."""
 
@@ -75,8 +77,8 @@ def read(path: Path, problem: Problem, identity: Floats) -> State:
         theirs = arrays["identity"]
         if theirs.shape != identity.shape or not np.allclose(theirs, identity, rtol=1e-6, atol=1e-3, equal_nan=True):
             raise CheckpointMismatch(
-                f"'{path.name}' is the checkpoint of another likelihood, prior or settings: name another file, or "
-                "delete it."
+                f"'{path.name}' is the checkpoint of another likelihood, prior, settings or version: name another "
+                "file, or delete it."
             )
         return _state(arrays, problem)
     except (ValueError, KeyError, TypeError, EOFError, OSError, zipfile.BadZipFile) as error:
@@ -88,7 +90,7 @@ def read(path: Path, problem: Problem, identity: Floats) -> State:
 def identity_of(problem: Problem, settings: Settings, log_likelihood: Floats, points: Floats) -> Floats:
     """Numbers that differ between runs: their settings, and likelihoods and coordinates at :func:`probes`."""
     y, volumes = problem.coordinates.from_cube(points)
-    numbers = [problem.dimensions, *problem.coordinates.circles, *asdict(settings).values()]
+    numbers = [_FORMAT, problem.dimensions, *problem.coordinates.circles, *asdict(settings).values()]
     return np.concatenate([np.array(numbers, dtype=np.float64), log_likelihood, y.ravel(), volumes])
 
 
