@@ -1,35 +1,44 @@
 """Times of the model in JAX beside the kernel's, on whatever device JAX has, and prints them.
 
-    python -m benchmarks.jax_model [--rows 256] [--modes]
+    python -m benchmarks.jax_model [--rows 256] [--modes] [--page docs/guides/jax.md]
 
-- microseconds of processor (on an accelerator: of time) a waveform, h_plus and h_cross in a batch, after compilation;
-- the same of one mode's strain with its derivatives in mass ratio, tides, spins and total mass;
-- likelihoods a second: three standing detectors, weights at 277 frequencies, with and without the gradient.
+- a waveform, h_plus and h_cross in a batch, of the kernel and of JAX;
+- one mode's strain in JAX, and with its derivatives in mass ratio, tides, spins and total mass;
+- a log-likelihood in JAX, three standing detectors, weights at 277 frequencies, and with its gradient.
 
-One thread for both, where they run on processors. ``--modes`` has all modes, too.
+The two of a row take turns, in another order each time, on one processor; compiled before. Microseconds each, of the
+processor (on an accelerator, with ``--unpinned``, of the clock): medians and quartiles of all turns, and of the ratios
+of each turn. Freed memory is kept for the next answer, as in a server: fresh pages may cost as much as writing there.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from math import ceil
+from pathlib import Path
 from typing import Any
-
-os.environ.setdefault("XLA_FLAGS", "--xla_cpu_multi_thread_eigen=false intra_op_parallelism_threads=1")
 
 import jax
 import jax.numpy as jnp
 import numpy as np
 
 import bnserve_jax
-from bnserve_protocol import EvaluationOptions, Mode
+from benchmarks.page import fill
+from benchmarks.speed.setup import one_cpu, processor_name
+from bnserve_protocol import BnserveError, EvaluationOptions, Mode
+from bnserve_service.bench.timing import shuffled
+from bnserve_service.process.allocator import keep_freed_memory
 from bnserve_surrogate import Model
 
 INTRINSIC = ("mass_ratio", "lambda_1", "lambda_2", "chi_1", "chi_2", "total_mass")
-REPEATS = 10
 CARRIER: tuple[Mode, ...] = ((2, 2),)
+SIZES = (277, 1000)
+TURN = 0.03
+"""Seconds that one turn takes at least."""
 
 
 def binaries(rows: int) -> dict[str, np.ndarray]:
@@ -40,17 +49,6 @@ def binaries(rows: int) -> dict[str, np.ndarray]:
     return found | {"distance_mpc": np.full(rows, 100.0), "inclination": random.uniform(0.0, 3.0, rows)}
 
 
-def least(function: Callable[[], Any], rows: int) -> float:
-    """Microseconds a row of the fastest of some runs."""
-    clock = time.process_time if jax.default_backend() == "cpu" else time.perf_counter
-    spent = []
-    for _ in range(REPEATS):
-        start = clock()
-        jax.block_until_ready(function())
-        spent.append(clock() - start)
-    return min(spent) / rows * 1e6
-
-
 def compiled(function: Callable[[Any], Any], given: Any) -> tuple[Callable[[], Any], float]:
     """A function that is compiled for its argument, and the seconds that took."""
     start = time.perf_counter()
@@ -58,33 +56,79 @@ def compiled(function: Callable[[Any], Any], given: Any) -> tuple[Callable[[], A
     return lambda: ready(given), time.perf_counter() - start
 
 
-def waveforms(local: Model, model: bnserve_jax.Model, rows: int, modes: tuple[Mode, ...] | None) -> None:
-    """Print the rows of waveforms."""
+class Table:
+    """Prints rows of two calls that take turns, and keeps the lines."""
+
+    def __init__(self, rows: int, epochs: int) -> None:
+        self.lines: list[str] = []
+        self._rows, self._epochs = rows, epochs
+        # The processor's: what others do meanwhile does not count. It misses what threads elsewhere do at this moment,
+        # hence one processor for all of them.
+        self._clock = time.process_time if jax.default_backend() == "cpu" else time.perf_counter
+
+    def head(self, first: str, second: str) -> None:
+        """Name two columns."""
+        self._print(_line("", "points", f"{first}, us", f"{second}, us", "ratio", "compiled in"))
+
+    def row(self, what: str, points: int, first: Callable[[], Any], second: Callable[[], Any], seconds: float) -> None:
+        """Measure two calls; ``seconds`` is what compiling took."""
+        found = shuffled({"first": self._turn(first), "second": self._turn(second)}, self._epochs)
+        one, two = (1e6 * np.array(found[name]) / self._rows for name in ("first", "second"))
+        self._print(_line(what, str(points), *map(_quartiles, (one, two, two / one)), f"{seconds:.1f} s"))
+
+    def _turn(self, call: Callable[[], Any]) -> Callable[[], Sequence[float]]:
+        """A function that returns the seconds of a call, the mean of some after one that does not count."""
+
+        def seconds(calls: int) -> float:
+            jax.block_until_ready(call())
+            start = self._clock()
+            for _ in range(calls):
+                jax.block_until_ready(call())
+            return (self._clock() - start) / calls
+
+        seconds(1)  # the first of all has memory to fetch, and the kernel its machine code
+        calls = ceil(TURN / max(seconds(3), 1e-6))
+        return lambda: [seconds(calls)]
+
+    def _print(self, line: str) -> None:
+        self.lines.append(line)
+        print(line, flush=True)
+
+
+def _line(*cells: str) -> str:
+    widths = (10, 8, 28, 28, 24, 0)
+    return "".join(f"{cell:<{width}}" for cell, width in zip(cells, widths, strict=True))
+
+
+def _quartiles(values: np.ndarray) -> str:
+    low, middle, high = np.quantile(values, [0.25, 0.5, 0.75])
+    return f"{middle:.2f} ({low:.2f} to {high:.2f})"
+
+
+def waveforms(table: Table, local: Model, model: bnserve_jax.Model, rows: int, modes: tuple[Mode, ...] | None) -> None:
+    """Rows of waveforms."""
     given = binaries(rows)
     on_device = {name: jnp.asarray(values) for name, values in given.items()}
-    for points in (277, 1000):
+    options = EvaluationOptions(modes=modes)
+    for points in SIZES:
         f = np.geomspace(20.0, 2000.0, points)
-        options = EvaluationOptions(modes=modes)
-        kernel = least(lambda f=f, options=options: local.predict_batch(f, given, options=options), rows)  # type: ignore[misc]
         ready, seconds = compiled(lambda p, f=f: model.predict(f, p, modes=modes), on_device)  # type: ignore[misc]
-        own = least(ready, rows)
         what = "(2, 2)" if modes is not None else "all modes"
-        print(f"{what:<12}{points:>7}{kernel:>12.2f}{own:>10.2f}{own / kernel:>8.1f}{seconds:>13.1f}")
+        table.row(what, points, lambda f=f: local.predict_batch(f, given, options=options), ready, seconds)  # type: ignore[misc]
 
 
-def derivatives(model: bnserve_jax.Model, rows: int) -> None:
-    """Print the rows of derivatives."""
+def derivatives(table: Table, model: bnserve_jax.Model, rows: int) -> None:
+    """Rows of derivatives."""
     on_device = {name: jnp.asarray(values) for name, values in binaries(rows).items()}
-    for points in (277, 1000):
+    for points in SIZES:
         f = np.geomspace(20.0, 2000.0, points)
         plain, _ = compiled(lambda p, f=f: model.predict_mode(f, p), on_device)  # type: ignore[misc]
         both, seconds = compiled(lambda p, f=f: model.predict_derivatives(f, p, INTRINSIC), on_device)  # type: ignore[misc]
-        own, whole = least(plain, rows), least(both, rows)
-        print(f"{'h and six':<12}{points:>7}{own:>12.2f}{whole:>10.2f}{whole / own:>8.1f}{seconds:>13.1f}")
+        table.row("h (2, 2)", points, plain, both, seconds)
 
 
-def likelihoods(model: bnserve_jax.Model, rows: int) -> None:
-    """Print likelihoods a second."""
+def likelihoods(table: Table, model: bnserve_jax.Model, rows: int) -> None:
+    """The row of likelihoods."""
     random, f = np.random.default_rng(2), jnp.asarray(np.geomspace(20.0, 2000.0, 277))
     weights = jnp.asarray(random.normal(size=(3, 277)) + 1j * random.normal(size=(3, 277)))
     powers, patterns = jnp.asarray(random.uniform(size=(3, 277))), jnp.asarray(random.uniform(-1.0, 1.0, (3, 2)))
@@ -95,29 +139,44 @@ def likelihoods(model: bnserve_jax.Model, rows: int) -> None:
         return jnp.sum((jnp.conj(weights) * signal).real - 0.5 * powers * jnp.abs(signal) ** 2)
 
     on_device = {name: jnp.asarray(values) for name, values in binaries(rows).items()}
-    for name, function in (("ln L", log_likelihood), ("with slopes", jax.value_and_grad(log_likelihood))):
-        ready, seconds = compiled(jax.vmap(function), on_device)
-        spent = least(ready, rows)
-        print(f"{name:<12}{277:>7}{1e6 / spent:>14,.0f} a second, compiled in {seconds:.1f} s")
+    value, _ = compiled(jax.vmap(log_likelihood), on_device)
+    both, seconds = compiled(jax.vmap(jax.value_and_grad(log_likelihood)), on_device)
+    table.row("ln L", 277, value, both, seconds)
 
 
-def main() -> None:
-    """Measure and print."""
-    parser = argparse.ArgumentParser(description="The model in JAX beside the kernel.")
+def main(arguments: list[str] | None = None) -> int:
+    """Measure and print; returns the exit status."""
+    parser = argparse.ArgumentParser(prog="python -m benchmarks.jax_model", description=__doc__.splitlines()[0])
     parser.add_argument("--rows", type=int, default=256, help="binaries of a batch (256)")
+    parser.add_argument("--epochs", type=int, default=21, help="turns (21)")
     parser.add_argument("--modes", action="store_true", help="all modes, too")
-    arguments = parser.parse_args()
+    parser.add_argument("--unpinned", action="store_true", help="let everything run where the system puts it")
+    parser.add_argument("--page", type=Path, metavar="FILE.md", help="put the table into this page, too")
+    options = parser.parse_args(arguments)
+    if not options.unpinned:
+        os.sched_setaffinity(0, one_cpu())  # before JAX starts a thread for every processor that it finds
+    keep_freed_memory()
     jax.config.update("jax_enable_x64", True)
     local, model = Model.default(), bnserve_jax.Model.default()
-    print(f"{jax.devices()[0]}, JAX {jax.__version__}, {arguments.rows} binaries, us each")
-    print(f"{'':<12}{'points':>7}{'kernel':>12}{'JAX':>10}{'ratio':>8}{'compiled, s':>13}")
-    waveforms(local, model, arguments.rows, CARRIER)
-    if arguments.modes:
-        waveforms(local, model, arguments.rows, None)
-    print(f"{'':<12}{'points':>7}{'h alone':>12}{'with':>10}{'ratio':>8}{'compiled, s':>13}")
-    derivatives(model, arguments.rows)
-    likelihoods(model, arguments.rows)
+    device = processor_name() if jax.default_backend() == "cpu" else jax.devices()[0].device_kind
+    print(head := f"{device}, JAX {jax.__version__}, {options.rows} binaries, {options.epochs} turns")
+    table = Table(options.rows, options.epochs)
+    table.head("kernel", "JAX")
+    waveforms(table, local, model, options.rows, CARRIER)
+    if options.modes:
+        waveforms(table, local, model, options.rows, None)
+    table.head("value in JAX", "with derivatives")
+    derivatives(table, model, options.rows)
+    likelihoods(table, model, options.rows)
+    if options.page:
+        command = "$ python -m benchmarks.jax_model" + (" --modes" if options.modes else "")
+        try:
+            fill(options.page, "jax model", ["```text", command, head, *table.lines, "```"])
+        except BnserveError as error:
+            print(error.detail, file=sys.stderr)
+            return 2
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())
