@@ -3,6 +3,7 @@
 import signal
 import subprocess
 import sys
+import threading
 
 import numpy as np
 import pytest
@@ -66,11 +67,23 @@ def test_a_run_that_was_killed_again_and_again_ends_with_the_same_bits(tmp_path,
     same(sample(Problem(normal, 4), SETTINGS, checkpoint=checkpoint), undisturbed)
 
 
+def test_searches_side_by_side_find_the_same_and_are_asked_in_the_thread_of_the_caller(tmp_path, undisturbed):
+    threads = set()
+
+    def watched(u):
+        threads.add(threading.get_ident())
+        return normal(u)
+
+    same(sample(Problem(watched, 4), SETTINGS, checkpoint=tmp_path / "checkpoint.npz", threads=2), undisturbed)
+    assert threads == {threading.get_ident()}
+
+
 class Refused(Exception):
     pass
 
 
-def test_a_call_that_fails_at_any_place_leaves_a_good_checkpoint(tmp_path, undisturbed):
+@pytest.mark.parametrize("threads", [1, 2])
+def test_a_call_that_fails_at_any_place_leaves_a_good_checkpoint(tmp_path, undisturbed, threads):
     """As one of a remote likelihood may: every run gets a few calls farther."""
     checkpoint, left = tmp_path / "checkpoint.npz", 0
 
@@ -82,12 +95,12 @@ def test_a_call_that_fails_at_any_place_leaves_a_good_checkpoint(tmp_path, undis
         return normal(u)
 
     for _ in range(100):
-        left = 40
+        left = 100 * threads
         try:
-            found = sample(Problem(fails, 4), SETTINGS, checkpoint=checkpoint)
+            found = sample(Problem(fails, 4), SETTINGS, checkpoint=checkpoint, threads=threads)
             break
         except Refused:
-            continue
+            assert threading.active_count() == 1
     same(found, undisturbed)
     same(sample(Problem(normal, 4), SETTINGS, checkpoint=checkpoint), undisturbed)
 
@@ -115,7 +128,7 @@ def test_the_checkpoint_of_another_run_is_refused(tmp_path, monkeypatch, other):
     if other == "circles":
         problem = Problem(normal, 4, plain((0,)))
     if other == "format":
-        monkeypatch.setattr(_checkpoint, "_FORMAT", 3)
+        monkeypatch.setattr(_checkpoint, "_FORMAT", 0)
     settings = Settings(particles=301, effective=2000, batch=1000) if other == "settings" else SETTINGS
     with pytest.raises(CheckpointMismatch, match=r"'checkpoint.npz' is the checkpoint of another .* delete it"):
         sample(problem, settings, checkpoint=checkpoint)

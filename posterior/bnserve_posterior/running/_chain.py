@@ -71,7 +71,7 @@ def run(prepared: Prepared, folder: Folder, report: Report | None = None, *, thr
     report
         Called after each step.
     threads
-        That evaluate likelihoods in this process; the posterior does not depend on how many.
+        Of this process, at most, for likelihoods and for the sampler; the posterior does not depend on how many.
 
     Raises
     ------
@@ -83,7 +83,9 @@ def run(prepared: Prepared, folder: Folder, report: Report | None = None, *, thr
     settings = Settings(effective=section.effective, particles=section.particles, seed=section.seed)
     local = isinstance(prepared.bound, LocalLikelihood)  # a server has threads of its own
     with folder.writing(), in_threads(prepared.bound.log_likelihood, threads if local else 1) as evaluate:
-        posterior = sample(prepared.problem(evaluate), settings, checkpoint=folder.checkpoint, progress=report)
+        posterior = sample(
+            prepared.problem(evaluate), settings, checkpoint=folder.checkpoint, progress=report, threads=threads
+        )
     sampled = time.perf_counter()
     samples = samples_of_posterior(
         posterior, prepared.cube, prepared.bound, prepared.integrated, section.seed, prepared.model, event.data.f_min,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import zipfile
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
@@ -21,37 +21,48 @@ from bnserve_posterior.sampling._turning import opened
 from bnserve_store import replacing
 
 Floats = NDArray[np.float64]
-_FORMAT = 2
+_FORMAT = 3
 """Of the file; what another version of this sampler wrote is not read as if it were the same."""
 _PROBES = 4
 """Points of the prior whose likelihoods and coordinates tell one problem from another."""
 
 
 @dataclass
-class State:
-    """The proposals that are ready; the population on its way to the next, where its particles have been, and those
-    that wait for their turn; how often it was begun again; draws from all proposals; and the number of likelihoods."""
+class Search:
+    """The population on its way, the proposal that came of it, and the number of likelihoods."""
 
-    proposals: list[Proposal] = field(default_factory=list)
     population: Population | None = None
-    been: Floats | None = None
-    begun: list[Population] = field(default_factory=list)
+    proposal: Proposal | None = None
+    likelihoods: int = 0
+
+
+@dataclass
+class State:
+    """Searches that know nothing of each other; how often they were begun again; draws from all proposals; and the
+    number of likelihoods of these and of searches that are over."""
+
+    searches: list[Search]
     attempt: int = 0
     draws: Draws | None = None
     likelihoods: int = 0
+
+    @property
+    def asked(self) -> int:
+        """Likelihoods of all."""
+        return self.likelihoods + sum(search.likelihoods for search in self.searches)
 
 
 def write(path: Path, state: State, identity: Floats) -> None:
     """Write a state; whatever was there is replaced at once."""
     arrays: dict[str, Any] = {"identity": identity, "attempt": state.attempt, "likelihoods": state.likelihoods}
-    for name, part in (("population", state.population), ("draws", state.draws)):
-        arrays |= _named(name, part) if part is not None else {}
-    arrays |= {"been": state.been} if state.been is not None else {}
-    for number, population in enumerate(state.begun):
-        arrays |= _named(f"begun.{number}", population)
-    for number, proposal in enumerate(state.proposals):
-        arrays[f"turns.{number}"] = proposal.turns
-        for k, (share, bending, mixture) in enumerate(proposal.parts):
+    arrays |= _named("draws", state.draws) if state.draws is not None else {}
+    for number, search in enumerate(state.searches):
+        arrays[f"likelihoods.{number}"] = search.likelihoods
+        arrays |= _named(f"population.{number}", search.population) if search.population is not None else {}
+        if search.proposal is None:
+            continue
+        arrays[f"turns.{number}"] = search.proposal.turns
+        for k, (share, bending, mixture) in enumerate(search.proposal.parts):
             name = f"{number}.{k}"
             arrays[f"share.{name}"] = share
             arrays |= _named(f"bending.{name}", bending) | _named(f"mixture.{name}", mixture)
@@ -59,8 +70,8 @@ def write(path: Path, state: State, identity: Floats) -> None:
         np.savez(file, **arrays)
 
 
-def read(path: Path, problem: Problem, identity: Floats) -> State:
-    """What was written, or a new state where nothing was.
+def read(path: Path, problem: Problem, identity: Floats, searches: int) -> State:
+    """What was written, or a new state of so many searches where nothing was.
 
     Raises
     ------
@@ -70,7 +81,7 @@ def read(path: Path, problem: Problem, identity: Floats) -> State:
     if not path.parent.is_dir():
         raise CheckpointMismatch(f"There is no folder '{path.parent.name}' for the checkpoint: make it.")
     if not path.exists():
-        return State()
+        return State([Search() for _ in range(searches)])
     try:
         with path.open("rb") as content, np.load(content, allow_pickle=False) as file:
             arrays = dict(file)
@@ -80,7 +91,7 @@ def read(path: Path, problem: Problem, identity: Floats) -> State:
                 f"'{path.name}' is the checkpoint of another likelihood, prior, settings or version: name another "
                 "file, or delete it."
             )
-        return _state(arrays, problem)
+        return _state(arrays, problem, searches)
     except (ValueError, KeyError, TypeError, EOFError, OSError, zipfile.BadZipFile) as error:
         raise CheckpointMismatch(
             f"'{path.name}' is no checkpoint of this sampler ({error}): delete it, or name another file."
@@ -103,25 +114,26 @@ def _named(name: str, part: Any) -> dict[str, Any]:
     return {f"{name}.{key}": value for key, value in part._asdict().items()}
 
 
-def _state(arrays: dict[str, Any], problem: Problem) -> State:
+def _state(arrays: dict[str, Any], problem: Problem, searches: int) -> State:
     def part(name: str) -> dict[str, Any]:
         found = {key.rpartition(".")[2]: value for key, value in arrays.items() if key.startswith(f"{name}.")}
         return {key: value if value.ndim else value.item() for key, value in found.items()}
 
-    state = State(attempt=int(arrays["attempt"]), likelihoods=int(arrays["likelihoods"]))
-    while f"turns.{len(state.proposals)}" in arrays:
-        number = len(state.proposals)
-        turns = arrays[f"turns.{number}"]
+    def search(number: int) -> Search:
+        found = Search(likelihoods=int(arrays[f"likelihoods.{number}"]))
+        if population := part(f"population.{number}"):
+            found.population = Population(**population)
+        if (turns := arrays.get(f"turns.{number}")) is None:
+            return found
         parts: list[Part] = []
         while f"share.{(name := f'{number}.{len(parts)}')}" in arrays:
             bending, mixture = Bending(**part(f"bending.{name}")), Mixture(**part(f"mixture.{name}"))
             parts.append(Part(float(arrays[f"share.{name}"]), bending, mixture))
-        state.proposals.append(Proposal(turns, opened(problem.coordinates, turns), tuple(parts)))
-    state.been = arrays.get("been")
-    while begun := part(f"begun.{len(state.begun)}"):
-        state.begun.append(Population(**begun))
-    if population := part("population"):
-        state.population = Population(**population)
-    if draws := part("draws"):
-        state.draws = Draws(**draws)
-    return state
+        found.proposal = Proposal(turns, opened(problem.coordinates, turns), tuple(parts))
+        return found
+
+    draws = part("draws")
+    return State(
+        [search(number) for number in range(searches)], int(arrays["attempt"]), Draws(**draws) if draws else None,
+        int(arrays["likelihoods"]),
+    )  # fmt: skip

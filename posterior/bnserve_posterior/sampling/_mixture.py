@@ -46,27 +46,37 @@ class Mixture(NamedTuple):
             np.repeat(np.linalg.cholesky(start)[None], components, axis=0),
         )
         fewest = 2 * dimensions / effective
-        products = (x[:, :, None] * x[:, None, :]).reshape(len(x), -1)
+        monomials = _monomials(x)
         for _ in range(iterations):
-            now = now._step(x, products, weights, (start, fewest), ridge)
+            now = now._step(monomials, weights, (start, fewest), ridge)
         return cls(now.shares, now.means * width + centre, now.scales * width[:, None])
 
-    def _step(self, x: Floats, products: Floats, weights: Floats, poor: tuple[Floats, float], ridge: Floats) -> Mixture:
+    def _step(self, monomials: Floats, weights: Floats, poor: tuple[Floats, float], ridge: Floats) -> Mixture:
         """One expectation and maximisation; a component of fewer points than ``poor[1]`` has the shape ``poor[0]``."""
-        squares, volumes = self._squares(x)
         components, dimensions = self.means.shape
         half = 0.5 * (FREEDOM + dimensions)
-        each = np.log(self.shares)[:, None] - volumes[:, None] - half * np.log1p(squares / FREEDOM)
-        held_by = np.exp(each - logsumexp(each, axis=0)) * weights
+        far = self._squares(monomials)
+        far /= FREEDOM
+        far += 1.0
+        each = np.log(far)
+        each *= -half
+        each += (np.log(self.shares) - self._log_volumes())[:, None]
+        each -= each.max(axis=0)
+        held_by = np.exp(each, out=each)
+        held_by *= weights / held_by.sum(axis=0)
         shares = held_by.sum(axis=1) + 1e-12
-        pulled = held_by * ((FREEDOM + dimensions) / (FREEDOM + squares))  # far points count less
-        pull = pulled.sum(axis=1)[:, None] + 1e-12
-        means = (pulled @ x) / pull
-        moments = (pulled @ products).reshape(components, dimensions, dimensions)
-        outer = means[:, :, None] * means[:, None, :]
-        covariances = (moments - pull[:, :, None] * outer) / shares[:, None, None] + ridge
+        held_by /= far  # far points count less
+        moments = (1.0 + dimensions / FREEDOM) * (held_by @ monomials.T)
+        pull = moments[:, 0] + 1e-12
+        means = moments[:, 1 : 1 + dimensions] / pull[:, None]
+        covariances: Floats = np.empty((components, dimensions, dimensions))
+        first, second = np.triu_indices(dimensions)
+        covariances[:, first, second] = covariances[:, second, first] = moments[:, 1 + dimensions :]
+        covariances -= pull[:, None, None] * means[:, :, None] * means[:, None, :]
+        covariances /= shares[:, None, None]
+        covariances += ridge
         covariances[shares < poor[1]] = poor[0]
-        return Mixture(shares / shares.sum(), means, np.linalg.cholesky(covariances))
+        return Mixture(shares / shares.sum(), means, np.asarray(np.linalg.cholesky(covariances)))
 
     def widened(self, factor: float) -> Mixture:
         """All scales larger by that factor."""
@@ -102,14 +112,36 @@ class Mixture(NamedTuple):
         dimensions = points.shape[1]
         half = 0.5 * (FREEDOM + dimensions)
         constant = gammaln(half) - gammaln(0.5 * FREEDOM) - 0.5 * dimensions * np.log(FREEDOM * np.pi)
-        squares, volumes = self._squares(points)
-        found = np.log(self.shares[:, None]) + constant - volumes[:, None] - half * np.log1p(squares / FREEDOM)
-        return np.asarray(found)
+        centre = self.shares @ self.means
+        width = np.sqrt(self.shares @ (np.sum(self.scales**2, axis=2) + (self.means - centre) ** 2))
+        near = Mixture(self.shares, (self.means - centre) / width, self.scales / width[:, None])
+        found = near._squares(_monomials((points - centre) / width))
+        found /= FREEDOM
+        found += 1.0
+        np.log(found, out=found)
+        found *= -half
+        found += (np.log(self.shares) + constant - self._log_volumes())[:, None]
+        return found
 
-    def _squares(self, x: Floats) -> tuple[Floats, Floats]:
-        """Squared distances in units of every component ``(K, N)``, and ln of their volumes ``(K,)``."""
+    def _squares(self, monomials: Floats) -> Floats:
+        """Squared distances in units of every component ``(K, N)``: a polynomial of the second degree, which needs one
+        product of matrices (2.5 ms of 25 components at 8,000 points in eleven dimensions, and 8 by differences)."""
         unscaled = np.linalg.inv(self.scales)
-        columns = unscaled.reshape(-1, x.shape[1]).T
-        centres = np.einsum("kij,kj->ki", unscaled, self.means).ravel()
-        squares = np.square(x @ columns - centres).reshape(len(x), *self.means.shape).sum(axis=2).T
-        return squares, np.log(np.diagonal(self.scales, axis1=1, axis2=2)).sum(axis=1)
+        inverses = unscaled.transpose(0, 2, 1) @ unscaled
+        linear = np.einsum("kij,kj->ki", inverses, self.means)
+        first, second = np.triu_indices(self.means.shape[1])
+        products = inverses[:, first, second] * np.where(first == second, 1.0, 2.0)
+        constants = np.sum(linear * self.means, axis=1)
+        polynomials = np.concatenate([constants[:, None], -2.0 * linear, products], axis=1)
+        return np.maximum(polynomials @ monomials, 0.0)
+
+    def _log_volumes(self) -> Floats:
+        """ln of the volume of every component's unit, ``(K,)``."""
+        return np.asarray(np.log(np.diagonal(self.scales, axis1=1, axis2=2)).sum(axis=1))
+
+
+def _monomials(x: Floats) -> Floats:
+    """One, the columns of ``(N, D)``, and their products, ``(P, N)``."""
+    columns = np.ascontiguousarray(x.T)
+    first, second = np.triu_indices(len(columns))
+    return np.concatenate([np.ones((1, len(x))), columns, columns[first] * columns[second]])

@@ -12,6 +12,8 @@ follows (:mod:`bnserve_posterior.sampling._importance`).
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -19,6 +21,7 @@ from numpy.typing import NDArray
 
 from bnserve_posterior.sampling._errors import LikelihoodEmpty
 from bnserve_posterior.sampling._evaluation import Evaluator
+from bnserve_posterior.sampling._problem import Problem
 from bnserve_posterior.sampling._proposals import Proposal, inside
 
 Floats = NDArray[np.float64]
@@ -33,7 +36,7 @@ _ROUNDS, _MOVED = 8, 0.95
 """At most so many rounds of moves after a step, until so many of the particles have moved."""
 _PROPOSALS, _COMPONENTS, _ITERATIONS = 2, 25, 10
 """Draws from a mixture for each particle and round, and how that is fitted."""
-SETTLING = 10
+_SETTLING = 10
 """Rounds: half as many leave half of the effective samples of a binary in a triangle."""
 _REMEMBERED = 8000
 """At most so many points are fitted to."""
@@ -74,31 +77,42 @@ def begin(evaluate: Evaluator, particles: int, random: np.random.Generator) -> P
 
 def advance(evaluate: Evaluator, now: Population, particles: int, random: np.random.Generator) -> Population:
     """One step of the power, and moves."""
-    now = _reweigh(now, particles, random)
-    begun, been = now.points, np.empty((0, *now.points.shape))
-    for _ in range(_ROUNDS):
-        now, been = settle(evaluate, now, been, random)
-        if (now.points != begun).any(axis=1).mean() >= _MOVED:
+    begun = now = _reweigh(now, particles, random)
+    for now, _ in itertools.islice(_rounds(evaluate, begun, random), _ROUNDS):
+        if (now.points != begun.points).any(axis=1).mean() >= _MOVED:
             break
     return now
 
 
-def settle(
-    evaluate: Evaluator, now: Population, been: Floats, random: np.random.Generator
-) -> tuple[Population, Floats]:
-    """A round of moves, and the places ``(R, N, D)`` of all particles in the rounds so far, with these.
+def settled(evaluate: Evaluator, now: Population, random: np.random.Generator) -> Floats:
+    """All places ``(R * N, D)`` where the particles are while they settle."""
+    *_, (_, been) = itertools.islice(_rounds(evaluate, now, random), _SETTLING)
+    return been[1:].reshape(-1, evaluate.problem.dimensions)
+
+
+def _rounds(evaluate: Evaluator, now: Population, random: np.random.Generator) -> Iterator[tuple[Population, Floats]]:
+    """Rounds of moves, and the places ``(R, N, D)`` of all particles before them and after each.
 
     Each half is offered draws from mixtures fitted to where the other one has been: fitted to all, they would know each
     particle's own place better than the places around, and particles would leave where they are few.
     """
-    particles = len(now.values)
-    halves = np.arange(particles // 2), np.arange(particles // 2, particles)
-    for mine, others in (halves, halves[::-1]):
-        there = np.concatenate([now.points[others], *been[:, others]])
-        there = there[random.permutation(len(there))[:_REMEMBERED]]
-        now = _propose(evaluate, now, mine, there, random)
-        now = _hop(evaluate, now, mine, random)
-    return now, np.concatenate([been, now.points[None]])
+    halves = np.array_split(np.arange(len(now.values)), 2)
+    been, proposals = now.points[None], []
+    for number in itertools.count(1):
+        if number & (number - 1) == 0:  # powers of two: there is twice as much to fit to
+            proposals = [_fitted(evaluate.problem, been[:, others], random) for others in reversed(halves)]
+        for mine, proposal in zip(halves, proposals, strict=True):
+            now = _hop(evaluate, _propose(evaluate, now, mine, proposal, random), mine, random)
+        been = np.concatenate([been, now.points[None]])
+        yield now, been
+
+
+def _fitted(problem: Problem, been: Floats, random: np.random.Generator) -> Proposal:
+    """To places ``(R, N, D)``."""
+    points = been.reshape(-1, problem.dimensions)
+    points = points[random.permutation(len(points))[:_REMEMBERED]]
+    uniform = np.full(len(points), 1.0 / len(points))
+    return Proposal.fit(problem, points, uniform, _COMPONENTS, _ITERATIONS, random)
 
 
 def _reweigh(now: Population, particles: int, random: np.random.Generator) -> Population:
@@ -122,11 +136,9 @@ def _effective(values: Floats, power: float) -> float:
 
 
 def _propose(
-    evaluate: Evaluator, now: Population, mine: NDArray[np.intp], others: Floats, random: np.random.Generator
+    evaluate: Evaluator, now: Population, mine: NDArray[np.intp], proposal: Proposal, random: np.random.Generator
 ) -> Population:
-    """Offer each of one half draws from a mixture fitted to points of the other, and steps as large as that is wide."""
-    uniform = np.full(len(others), 1.0 / len(others))
-    proposal = Proposal.fit(evaluate.problem, others, uniform, _COMPONENTS, _ITERATIONS, random)
+    """Offer each of one half draws from a mixture, and steps as large as that is wide."""
     for _ in range(_PROPOSALS):
         there = proposal.draw(len(mine), random)
         balance, some = np.full(len(mine), -np.inf), inside(there)

@@ -2,21 +2,25 @@
 
 from __future__ import annotations
 
+import functools
+import threading
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
 
 import numpy as np
 
 from bnserve_posterior.sampling import _checkpoint, _importance, _population
-from bnserve_posterior.sampling._checkpoint import State
+from bnserve_posterior.sampling._checkpoint import Search, State
 from bnserve_posterior.sampling._errors import PosteriorUnreliable
 from bnserve_posterior.sampling._evaluation import Evaluator
 from bnserve_posterior.sampling._importance import Weighted
 from bnserve_posterior.sampling._pareto import BELIEVED
 from bnserve_posterior.sampling._population import Population
 from bnserve_posterior.sampling._posterior import Posterior
-from bnserve_posterior.sampling._problem import Problem, Progress, Settings
+from bnserve_posterior.sampling._problem import LogLikelihood, Problem, Progress, Settings
+from bnserve_posterior.sampling._threads import side_by_side
 
 Report = Callable[[Progress], None]
 DEFAULTS = Settings()
@@ -40,8 +44,9 @@ _SIGMAS = 3.0
 
 
 def sample(
-    problem: Problem, settings: Settings = DEFAULTS, *, checkpoint: Path | None = None, progress: Report | None = None
-) -> Posterior:
+    problem: Problem, settings: Settings = DEFAULTS, *, checkpoint: Path | None = None, progress: Report | None = None,
+    threads: int = 1,
+) -> Posterior:  # fmt: skip
     """The posterior of a likelihood over the unit cube.
 
     Two populations find it, importance sampling makes it right. The same problem and settings give the same posterior.
@@ -54,6 +59,9 @@ def sample(
         A file, written after each step; a run that finds one goes on there, with the same result.
     progress:
         Called after each step.
+    threads:
+        With two or more, both populations are on their way at once. Likelihoods are evaluated in the caller's thread,
+        one batch at a time, and the posterior is the same.
 
     Raises
     ------
@@ -71,8 +79,7 @@ def sample(
     _check(problem, settings)
     run = _Run(problem, settings, checkpoint, progress or (lambda _: None))
     while True:
-        for start in range(len(run.state.proposals), _STARTS):
-            run.find(start)
+        run.find(threads)
         found = run.draw()
         if (wrong := run.objection(found)) is None:
             return run.posterior(found)
@@ -111,41 +118,44 @@ class _Run:
     """The steps of a run; what they find is in ``state``, which is written after each."""
 
     def __init__(self, problem: Problem, settings: Settings, checkpoint: Path | None, report: Report) -> None:
-        self.evaluate, self.settings = Evaluator(problem, settings.batch), settings
-        self.path, self.report = checkpoint, report
-        self.state = State()
+        self.problem, self.settings, self.path, self.report = problem, settings, checkpoint, report
+        self.state, self.writing = State([Search() for _ in range(_STARTS)]), threading.Lock()
         if checkpoint is not None:
             points = _checkpoint.probes(problem.dimensions)
-            self.identity = _checkpoint.identity_of(problem, settings, self.evaluate(points), points)
-            self.state = _checkpoint.read(checkpoint, problem, self.identity)
-            self.evaluate.likelihoods = self.state.likelihoods
+            there = Evaluator(problem, settings.batch)(points)
+            self.identity = _checkpoint.identity_of(problem, settings, there, points)
+            self.state = _checkpoint.read(checkpoint, problem, self.identity, _STARTS)
 
-    def find(self, start: int) -> None:
+    def find(self, threads: int) -> None:
+        """The proposals that are not there yet."""
+        searches = enumerate(self.state.searches)
+        tasks = [functools.partial(self.search, start) for start, one in searches if one.proposal is None]
+        if threads > 1 and len(tasks) > 1:
+            side_by_side(tasks, self.problem.log_likelihood)
+            return
+        for task in tasks:
+            task(self.problem.log_likelihood)
+
+    def search(self, start: int, log_likelihood: LogLikelihood) -> None:
         """A proposal, fitted to where the particles of a population are while it settles."""
-        particles, state, phase = self.settings.particles, self.state, _PHASES * self.state.attempt + start
-        now = state.begun.pop(0) if state.population is None and state.begun else state.population
+        particles, search, phase = self.settings.particles, self.state.searches[start], self.phase(start)
+        evaluate = Evaluator(replace(self.problem, log_likelihood=log_likelihood), self.settings.batch)
+        evaluate.likelihoods, now = search.likelihoods, search.population
         if now is None:
-            now = _population.begin(self.evaluate, particles, self.random(phase, 0))
+            now = _population.begin(evaluate, particles, self.random(phase, 0))
         while now.power < 1.0:
-            now = _population.advance(self.evaluate, now, particles, self.random(phase, now.step + 1))
-            state.population = now
-            self.moved(f"population {start + 1}", now)
-        if state.been is None:
-            state.been = np.empty((0, *now.points.shape))
-        while len(state.been) < _population.SETTLING:
-            random = self.random(phase, now.step + 1 + len(state.been))
-            now, state.been = _population.settle(self.evaluate, now, state.been, random)
-            state.population = now
-            self.moved(f"population {start + 1} settles", now)
-        random = self.random(phase, now.step + 1 + len(state.been))
-        been = state.been.reshape(-1, self.evaluate.problem.dimensions)
-        state.proposals.append(_importance.fitted(self.evaluate.problem, been, random))
-        state.population = state.been = None
-        self.moved(f"proposal {start + 1}", now)
+            now = _population.advance(evaluate, now, particles, self.random(phase, now.step + 1))
+            self.keep(f"population {start + 1}", now, Search(now, None, evaluate.likelihoods), start)
+        random = self.random(phase, now.step + 1)
+        been = _population.settled(evaluate, now, random)
+        proposal = _importance.fitted(self.problem, been, random)
+        self.keep(f"proposal {start + 1}", now, Search(None, proposal, evaluate.likelihoods), start)
 
     def draw(self) -> Weighted:
         """Draws from all proposals, until they are worth enough or cannot be believed."""
         state, counts = self.state, [_ROUND * self.settings.particles] * _STARTS
+        proposals = [search.proposal for search in state.searches if search.proposal is not None]
+        evaluate = Evaluator(self.problem, self.settings.batch)
         while True:
             rounds = 0 if state.draws is None else int(state.draws.counts[0]) // counts[0]
             if state.draws is not None:
@@ -154,12 +164,11 @@ class _Run:
                     return found
                 if found.effective >= self.settings.effective or rounds * sum(counts) >= self.most_draws():
                     return found
-            random = self.random(_PHASES * state.attempt + _STARTS, rounds)
-            fresh = _importance.draw(self.evaluate, state.proposals, counts, random)
+            fresh = _importance.draw(evaluate, proposals, counts, self.random(self.phase(_STARTS), rounds))
             state.draws = fresh if state.draws is None else _importance.joined(state.draws, fresh)
+            state.likelihoods, evaluate.likelihoods = state.likelihoods + evaluate.likelihoods, 0
             found = _importance.weighted(state.draws)
-            evidence, likelihoods = found.log_evidence, self.evaluate.likelihoods
-            self.keep(Progress("importance", rounds + 1, 1.0, evidence, found.effective, likelihoods))
+            self.write(Progress("importance", rounds + 1, 1.0, found.log_evidence, found.effective, state.asked))
 
     def most_draws(self) -> int:
         """How many draws are worth their likelihoods."""
@@ -192,11 +201,13 @@ class _Run:
         """Begin again with what each proposal drew; none tells the other what it missed."""
         state, draws, particles = self.state, self.state.draws, self.settings.particles
         assert draws is not None
-        random = self.random(_PHASES * state.attempt + _STARTS, -1)
+        random = self.random(self.phase(_STARTS), -1)
         own = [_importance.of_origin(draws, start) for start in range(_STARTS)]
-        state.begun = [_importance.population_of(each, particles, random) for each in own]
-        state.attempt, state.proposals, state.draws = state.attempt + 1, [], None
-        self.keep(Progress("again", state.attempt, 1.0, np.nan, np.nan, self.evaluate.likelihoods))
+        populations = [_importance.population_of(each, particles, random) for each in own]
+        state.likelihoods = state.asked
+        state.searches = [Search(population) for population in populations]
+        state.attempt, state.draws = state.attempt + 1, None
+        self.write(Progress("again", state.attempt, 1.0, np.nan, np.nan, state.asked))
 
     def posterior(self, found: Weighted) -> Posterior:
         """What was found, without what weighs nothing."""
@@ -204,20 +215,25 @@ class _Run:
         assert draws is not None
         return Posterior(
             draws.points[some], found.weights[some], draws.values[some], found.log_evidence, found.log_evidence_error,
-            found.effective, found.k_hat, self.alone(), self.evaluate.likelihoods,
+            found.effective, found.k_hat, self.alone(), self.state.asked,
         )  # fmt: skip
+
+    def phase(self, part: int) -> int:
+        """Of this attempt: one for each search, and one for the draws, with random numbers of their own."""
+        return _PHASES * self.state.attempt + part
 
     def random(self, phase: int, step: int) -> np.random.Generator:
         """Of a step; the same whether the run was interrupted or not."""
         return np.random.default_rng([self.settings.seed, phase, step + 1])
 
-    def moved(self, stage: str, now: Population) -> None:
-        """Write down where a population is."""
-        self.keep(Progress(stage, now.step, now.power, np.nan, np.nan, self.evaluate.likelihoods))
+    def keep(self, stage: str, now: Population, search: Search, start: int) -> None:
+        """Write down where a search is."""
+        with self.writing:
+            self.state.searches[start] = search
+            self.write(Progress(stage, now.step, now.power, np.nan, np.nan, self.state.asked))
 
-    def keep(self, progress: Progress) -> None:
+    def write(self, progress: Progress) -> None:
         """Write the state down and say how far it is."""
-        self.state.likelihoods = self.evaluate.likelihoods
         if self.path is not None:
             _checkpoint.write(self.path, self.state, self.identity)
         self.report(progress)
