@@ -13,7 +13,7 @@ from bnserve_posterior.sampling._bending import Bending
 from bnserve_posterior.sampling._islands import islands
 from bnserve_posterior.sampling._mixture import Mixture
 from bnserve_posterior.sampling._problem import Coordinates, Problem
-from bnserve_posterior.sampling._turning import emptiest, opened
+from bnserve_posterior.sampling._turning import emptiest, on_lines, opened
 
 Floats = NDArray[np.float64]
 _ANYWHERE = 0.05
@@ -50,9 +50,9 @@ class Proposal(NamedTuple):
         random: np.random.Generator,
     ) -> Proposal:  # fmt: skip
         """To points of the cube ``(N, D)`` with weights that sum to one."""
-        turns = emptiest(points, weights, problem.coordinates)
-        coordinates = opened(problem.coordinates, turns)
-        y = coordinates.from_cube(points)[0]
+        y, circles = problem.coordinates.from_cube(points)[0], list(problem.coordinates.circles)
+        turns = emptiest(y[:, circles], weights)
+        y[:, circles] = on_lines(y[:, circles], turns)
         parts = []
         for rows in islands(y, weights):
             share = float(weights[rows].sum())
@@ -61,7 +61,7 @@ class Proposal(NamedTuple):
             straight = bending.straight(y[rows])
             mixture = Mixture.fit(straight, own, most, iterations, random).widened(_WIDENING)
             parts.append(Part(share, bending, mixture.with_guard(straight, own, *_GUARD)))
-        return cls(turns, coordinates, tuple(parts))
+        return cls(turns, opened(problem.coordinates, turns), tuple(parts))
 
     def draw(self, count: int, random: np.random.Generator) -> Floats:
         """Points ``(count, D)`` whose density is :meth:`log_density`, each of them; some are outside of the cube."""

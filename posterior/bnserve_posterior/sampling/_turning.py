@@ -15,27 +15,30 @@ _EDGE = 1e-15
 """Nearer than this to a cut is this far from it: the cut itself is at infinity."""
 
 
-def emptiest(points: Floats, weights: Floats, coordinates: Coordinates) -> Floats:
-    """Where, on each circle, the least weight of points ``(N, D)`` of the cube is, ``(P,)``."""
-    if not coordinates.circles:
-        return np.empty(0)
-    turns, y = [], coordinates.from_cube(points)[0]
-    for column in coordinates.circles:
-        held, edges = np.histogram(y[:, column], _BINS, (0.0, 1.0), weights=weights)
+def emptiest(places: Floats, weights: Floats) -> Floats:
+    """Where, on each circle, the least weight of points is that are at ``places`` ``(N, P)``, ``(P,)``."""
+    turns = np.empty(places.shape[1])
+    for circle, column in enumerate(places.T):
+        held, edges = np.histogram(column, _BINS, (0.0, 1.0), weights=weights)
         near = held + 0.5 * (np.roll(held, 1) + np.roll(held, -1))
-        turns.append(edges[np.argmin(near)] + 0.5 / _BINS)
-    return np.array(turns)
+        turns[circle] = edges[np.argmin(near)] + 0.5 / _BINS
+    return turns
+
+
+def on_lines(places: Floats, turns: Floats) -> Floats:
+    """Places on circles ``(N, P)`` when each is cut open at one of ``turns``, ``(P,)``, which is at infinity."""
+    return np.asarray(ndtri(np.clip(np.mod(places - turns, 1.0), _EDGE, 1.0 - _EDGE)))
 
 
 def opened(coordinates: Coordinates, turns: Floats) -> Coordinates:
-    """The same, but circles are lines: each is cut open at one of ``turns``, ``(P,)``, which is at infinity."""
+    """The same, but circles are lines."""
     columns = list(coordinates.circles)
     if not columns:
         return coordinates
 
     def from_cube(points: Floats) -> tuple[Floats, Floats]:
         y, volumes = coordinates.from_cube(points)
-        y[:, columns] = ndtri(np.clip(np.mod(y[:, columns] - turns, 1.0), _EDGE, 1.0 - _EDGE))
+        y[:, columns] = on_lines(y[:, columns], turns)
         return y, volumes + log_normal(y[:, columns])
 
     def to_cube(y: Floats) -> tuple[Floats, Floats]:
