@@ -36,8 +36,9 @@ _ROUNDS, _MOVED = 8, 0.95
 """At most so many rounds of moves after a step, until so many of the particles have moved."""
 _PROPOSALS, _COMPONENTS, _ITERATIONS = 2, 25, 10
 """Draws from a mixture for each particle and round, and how that is fitted."""
-_SETTLING = 10
-"""Rounds: half as many leave half of the effective samples of a binary in a triangle."""
+_SETTLING, _PLACES = 10, 250
+"""Rounds, and places of the particles in them for the square of the dimensions, at least: half as many leave half of the
+effective samples of binaries, in nine dimensions and in thirteen."""
 _REMEMBERED = 8000
 """At most so many points are fitted to."""
 
@@ -86,8 +87,10 @@ def advance(evaluate: Evaluator, now: Population, particles: int, random: np.ran
 
 def settled(evaluate: Evaluator, now: Population, random: np.random.Generator) -> Floats:
     """All places ``(R * N, D)`` where the particles are while they settle."""
-    *_, (_, been) = itertools.islice(_rounds(evaluate, now, random), _SETTLING)
-    return been[1:].reshape(-1, evaluate.problem.dimensions)
+    dimensions = evaluate.problem.dimensions
+    rounds = max(_SETTLING, -(-_PLACES * dimensions**2 // len(now.values)))
+    *_, (_, been) = itertools.islice(_rounds(evaluate, now, random), rounds)
+    return been[1:].reshape(-1, dimensions)
 
 
 def _rounds(evaluate: Evaluator, now: Population, random: np.random.Generator) -> Iterator[tuple[Population, Floats]]:
