@@ -95,7 +95,7 @@ def test_a_call_that_fails_at_any_place_leaves_a_good_checkpoint(tmp_path, undis
         return normal(u)
 
     for _ in range(100):
-        left = 100 * threads
+        left = 150 * threads
         try:
             found = sample(Problem(fails, 4), SETTINGS, checkpoint=checkpoint, threads=threads)
             break

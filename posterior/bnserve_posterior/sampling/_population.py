@@ -37,8 +37,8 @@ _ROUNDS, _MOVED = 8, 0.95
 _PROPOSALS, _COMPONENTS, _ITERATIONS = 2, 25, 10
 """Draws from a mixture for each particle and round, and how that is fitted."""
 _SETTLING, _PLACES = 10, 250
-"""Rounds, and places of the particles in them for the square of the dimensions, at least: half as many leave half of the
-effective samples of binaries, in nine dimensions and in thirteen."""
+"""Rounds, and places of the particles in them for the square of the dimensions, at least: half as many leave half of
+the effective samples of binaries, in nine dimensions and in thirteen."""
 _REMEMBERED = 8000
 """At most so many points are fitted to."""
 
