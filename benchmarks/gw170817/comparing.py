@@ -71,9 +71,8 @@ def with_the_generator(outcome: Outcome, model: Any, count: int) -> FullCheck:
     analysis = full_likelihood(prepared.event, prepared.data, prepared.cube, model)
     few = slice(0, min(count, len(samples)))
     ours = np.asarray(likelihood(model, analysis).log_likelihood(samples.batch.rows(few)))
-    return check_with_full(
-        Samples({}, samples.batch.rows(few), samples.whole.rows(few), ours), likelihood(generator, analysis), count
-    )
+    own = Samples({}, samples.batch.rows(few), samples.whole.rows(few), ours)
+    return check_with_full(own, likelihood(generator, analysis).log_likelihood, count)
 
 
 def tails(samples: Samples) -> dict[str, float]:

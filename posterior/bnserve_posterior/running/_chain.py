@@ -92,7 +92,7 @@ def run(prepared: Prepared, folder: Folder, report: Report | None = None, *, thr
         _recalibrate(prepared),
     )  # fmt: skip
     drawn = time.perf_counter()
-    check = _checked(prepared, samples)
+    check = _checked(prepared, samples, threads)
     seconds = {"sampling": sampled - started, "drawing": drawn - sampled, "checks": time.perf_counter() - drawn}
     evidence, error = posterior.log_evidence - prepared.cube.log_allowed(), posterior.log_evidence_error
     if samples.calibrated is not None:
@@ -111,11 +111,12 @@ def _recalibrate(prepared: Prepared) -> Callable[[LikelihoodBatch, Floats], Reca
     )  # fmt: skip
 
 
-def _checked(prepared: Prepared, samples: Samples) -> FullCheck | None:
+def _checked(prepared: Prepared, samples: Samples, threads: int) -> FullCheck | None:
     event = prepared.event
     points = (event.data.f_max - event.data.f_min) * event.data.duration * len(prepared.data.detectors)
     if not event.output.checks or points > _MOST_FULL:
         return None
     full = full_likelihood(event, prepared.data, prepared.cube, prepared.model)
     count = min(event.output.checks, max(_FEWEST_CHECKS, _MOST_WORK // full.samples))
-    return check_with_full(samples, likelihood(prepared.model, full), count)
+    with in_threads(likelihood(prepared.model, full).log_likelihood, threads) as evaluate:
+        return check_with_full(samples, evaluate, count)
