@@ -82,9 +82,12 @@ CHOICES: dict[str, tuple[str, str, dict[str, Any], int]] = {
     "seven modes": ("relative_binning", "seven modes", {}, 256),
     "seven modes, phase": ("relative_binning", "seven modes", _PHASE, 256),
     "seven modes, moving": ("relative_binning", "seven modes", {"response": "moving"}, 256),
+    "seven modes, moving, phase and distance": (
+        "relative_binning", "seven modes", _PHASE | _DISTANCE | {"response": "moving"}, 256,
+    ),
     "full grid": ("full", "(2, 2)", {}, 4),
     "full grid, time and phase": ("full", "(2, 2)", _PHASE | _TIME, 4),
-}
+}  # fmt: skip
 """Kind, modes, options, and samples of a call."""
 
 

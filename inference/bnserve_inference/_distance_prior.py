@@ -76,35 +76,51 @@ class DistancePrior:
 
     Attributes
     ----------
-    spread
-        By how much it varies.
+    spread, steepest
+        By how much it varies, and its largest derivative by ln of the distance.
+    bent
+        How much its third derivative jumps by, at most.
     log_norm
         ln of the integral of the prior, in units of the ``reference`` distance.
+    first, per_cell
+        Of the table's entries: ln of the first distance, in these units, and from one to the next.
+    table
+        The spline's cells, ``(entries - 1, 6)``: see :meth:`_Spline.cells`; none where the prior is a power.
     """
 
     def __init__(self, prior: DistanceMarginalisation, reference: float) -> None:
         ratio, power = float(np.log(prior.maximum / prior.minimum)), prior.power + 1.0
         self._spline: _Spline | None = None
-        self.spread, self.log_norm = 0.0, _log_integral_of_power(power, ratio)
+        self.spread, self.steepest, self.bent, self.log_norm = 0.0, 0.0, 0.0, _log_integral_of_power(power, ratio)
+        self.first, self.per_cell, self.table = 0.0, ratio, np.zeros((0, 6))
         if isinstance(prior.table, msgspec.UnsetType):
             return
         table = np.array(prior.table)
         self._spline, cells = _Spline(table), len(table) - 1
-        self._first, self._per_cell = float(np.log(prior.minimum / reference)), ratio / cells
+        self.first, self.per_cell = float(np.log(prior.minimum / reference)), ratio / cells
         places = (np.arange(cells)[:, None] + 0.5 * (1.0 + _NODES)).reshape(-1)
-        x = self._first + places * self._per_cell
+        x = self.first + places * self.per_cell
         exponent = power * x + self._spline(places)
         top = float(exponent.max())
-        total = float(np.sum(np.tile(0.5 * self._per_cell * _WEIGHTS, cells) * np.exp(exponent - top)))
+        total = float(np.sum(np.tile(0.5 * self.per_cell * _WEIGHTS, cells) * np.exp(exponent - top)))
         self.spread, self.log_norm = float(np.ptp(table)), top + float(np.log(total))
+        self.table = self._spline.cells()
+        self.steepest = float(np.abs(np.diff(table)).max()) / self.per_cell
+        self.bent = 6.0 * float(np.abs(self.table[:, 4]).max()) / self.per_cell**3
 
     def beside_the_power(self, log_distances: Floats) -> Floats | float:
         """Of ln of distances in units of the reference, any shape; 0 where the prior is a power."""
-        return 0.0 if self._spline is None else self._spline((log_distances - self._first) / self._per_cell)
+        return 0.0 if self._spline is None else self._spline((log_distances - self.first) / self.per_cell)
 
 
 class _Spline:
-    """The cubic spline through values at 0, 1, 2, ..., at least five, without knots next to the ends."""
+    """The cubic spline through values at 0, 1, 2, ..., at least five, without knots next to the ends.
+
+    Attributes
+    ----------
+    values, curvatures
+        There, and a sixth of the curvatures.
+    """
 
     def __init__(self, values: Floats) -> None:
         second = 6.0 * np.diff(values, 2)
@@ -120,15 +136,29 @@ class _Spline:
             curvatures[place + 1] = (right[place] - curvatures[place + 2]) / pivots[place - 1]
         curvatures[0] = 2.0 * curvatures[1] - curvatures[2]
         curvatures[-1] = 2.0 * curvatures[-2] - curvatures[-3]
-        self._values, self._curvatures = values, curvatures / 6.0
+        self.values, self.curvatures = values, curvatures / 6.0
+
+    def cells(self) -> Floats:
+        """Coefficients in each cell, ``(n - 1, 6)``: of 1, b, b^2 and b^3, of b from 0 to 1; and of (b - 1)^3 and
+        (-b)^3, which the spline has beside them in the next cell and in the one before."""
+        low, high = self.curvatures[:-1], self.curvatures[1:]
+        cubic = high - low
+        jumps = np.diff(cubic)
+        return np.stack(
+            [
+                self.values[:-1], np.diff(self.values) - 2.0 * low - high, 3.0 * low, cubic,
+                np.append(jumps, 0.0), np.append(0.0, jumps),
+            ],
+            axis=1,
+        )  # fmt: skip
 
     def __call__(self, places: Floats) -> Floats:
         """At places between the first and the last; a little beyond, the end's cubic goes on."""
-        cell = np.clip(np.floor(places), 0.0, len(self._values) - 2.0).astype(np.int64)
+        cell = np.clip(np.floor(places), 0.0, len(self.values) - 2.0).astype(np.int64)
         b = places - cell
         a = 1.0 - b
-        low, high = self._curvatures[cell], self._curvatures[cell + 1]
-        ends = a * self._values[cell] + b * self._values[cell + 1]
+        low, high = self.curvatures[cell], self.curvatures[cell + 1]
+        ends = a * self.values[cell] + b * self.values[cell + 1]
         return np.asarray(ends + (a * a - 1.0) * a * low + (b * b - 1.0) * b * high)
 
 

@@ -13,13 +13,14 @@ from numpy.typing import NDArray
 
 from bnserve_inference._draws import Draws
 from bnserve_inference._gradients import Gradients, Marginal
-from bnserve_inference._marginalisation import DistanceIntegral, bessel_ratio, log_bessel_i0
+from bnserve_inference._marginalisation import DistanceIntegral
 from bnserve_inference._modes import modes_of, orders
-from bnserve_inference._phase_integral import FIXED, PhaseIntegral
+from bnserve_inference._phase_integral import PhaseIntegral
 from bnserve_inference._products import ProductsByDetector
 from bnserve_inference._rows import check_batch, row_statuses
 from bnserve_inference._signals import Tile, signals_of
 from bnserve_inference._time_integral import TimeIntegral
+from bnserve_inference.marginal_kernel import Integrals, Phase
 from bnserve_protocol import (
     Analysis,
     DetectorProducts,
@@ -82,9 +83,12 @@ class LocalLikelihood:
         settings, modes = analysis.settings, modes_of(analysis.settings, model.description)
         distances = settings.distance_marginalisation
         self._distance = None if distances is None else DistanceIntegral(distances)
-        self._phases = None
+        prior = None if self._distance is None else self._distance.numbers
+        self._phases, self._integrals = None, Integrals(Phase.KEPT, prior)
         if settings.phase_marginalisation and len(orders(modes)) > 1:
-            self._phases = PhaseIntegral(orders(modes), FIXED if self._distance is None else self._distance.factors)
+            self._phases = PhaseIntegral(orders(modes), prior)
+        elif settings.phase_marginalisation:
+            self._integrals = Integrals(Phase.BESSEL, prior)
         self._signals = signals_of(model, analysis, self._phases)
         self._fixed = {"reference_phase": 0.0} if settings.phase_marginalisation else {}
         if self._distance is not None:
@@ -271,34 +275,15 @@ class LocalLikelihood:
     def _marginalised(self, products: Complex, norms: NDArray[Any]) -> Floats:
         """ln L of <d|h>, ``(G, K)``, and <h|h>, ``(C, K)``."""
         if self._phases is not None:
-            return self._phases.log_likelihood(products, norms, self._at_one_phase)
-        phase = self._analysis.settings.phase_marginalisation
-        product = products[0]
-        sizes = np.hypot(product.real, product.imag) if phase else np.ascontiguousarray(product.real)
-        if self._distance is not None:
-            return self._distance.log_likelihood(sizes, norms[0], phase)
-        return np.asarray((log_bessel_i0(sizes) if phase else sizes) - 0.5 * norms[0])
+            return self._phases.log_likelihood(products, norms)
+        return self._integrals(products, norms)
 
     def _slopes(self, products: Complex, norms: NDArray[Any]) -> tuple[Floats, Complex, NDArray[Any]]:
         """As :meth:`_marginalised`, and what it changes by with both; a complex z counts as the real part of this times
         dz."""
         if self._phases is not None:
-            return self._phases.slopes(products, norms, self._slopes_at_one_phase)
-        phase = self._analysis.settings.phase_marginalisation
-        product = products[0]
-        sizes = np.hypot(product.real, product.imag) if phase else np.ascontiguousarray(product.real)
-        if self._distance is not None:
-            values, by_size, by_norm = self._distance.slopes(sizes, norms[0], phase)
-        else:
-            values, by_norm = (log_bessel_i0(sizes) if phase else sizes) - 0.5 * norms[0], np.full(len(sizes), -0.5)
-            by_size = bessel_ratio(sizes) if phase else np.ones(len(sizes))
-        turn = product.conj() / np.where(sizes > 0.0, sizes, 1.0) if phase else np.ones(len(sizes))
-        return np.asarray(values), (by_size * turn)[None].astype(np.complex128), by_norm[None]
-
-    def _slopes_at_one_phase(self, products: Floats, norms: Floats) -> tuple[Floats, Floats, Floats]:
-        if self._distance is not None:
-            return self._distance.slopes(products, norms, False)
-        return products - 0.5 * norms, np.ones(len(products)), np.full(len(products), -0.5)
+            return self._phases.slopes(products, norms)
+        return self._integrals.slopes(products, norms)
 
     def _at_one_phase(self, products: Floats, norms: Floats) -> Floats:
         if self._distance is not None:

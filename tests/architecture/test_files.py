@@ -58,6 +58,7 @@ NAMED_BY_OTHERS = {
     "inference/bnserve_inference/adjoint_kernel/build.py": "run with `python -m`",
     "inference/bnserve_inference/fisher_kernel/build.py": "run with `python -m`",
     "inference/bnserve_inference/kernel/build.py": "run with `python -m`",
+    "inference/bnserve_inference/marginal_kernel/build.py": "run with `python -m`",
     "inference/bnserve_inference/modes_kernel/build.py": "run with `python -m`",
     "inference/bnserve_inference/moving_kernel/build.py": "run with `python -m`",
     "surrogate/bnserve_surrogate/adjoint/build.py": "run with `python -m`",

@@ -7,7 +7,8 @@ import pytest
 from scipy import integrate, special
 
 from bnserve_inference import DetectorData, likelihood, tabulated_distance_prior
-from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0
+from bnserve_inference._bessel import log_bessel_i0
+from bnserve_inference._marginalisation import DistanceIntegral
 from bnserve_inference._time_integral import ChirpZ
 from bnserve_protocol import AnalysisInvalid, DistanceMarginalisation, LikelihoodBatch, TimeMarginalisation, time_steps
 from tests.inference.networks import F_MAX, F_MIN, POINTS, columns, full, network, without
@@ -292,6 +293,32 @@ def test_a_table_of_a_power_is_that_power():
     products, norms = np.array([0.1, 30.0, 900.0]), np.array([0.2, 25.0, 950.0])
     tabulated = DistanceIntegral(table).log_likelihood(products, norms, True)
     np.testing.assert_allclose(tabulated, plain.log_likelihood(products, norms, True), rtol=1e-12, atol=1e-12)
+
+
+@pytest.mark.parametrize("phase", [False, True])
+@pytest.mark.parametrize("density", ["a power", "a step down, as of selection"])
+@pytest.mark.parametrize("loudness", [11.1, 25.1, 49.0, 101.0, 1000.0])
+def test_few_nodes_are_enough_where_the_likelihood_is_narrow(loudness, density, phase):
+    """Of any distance, so that entries of the table lie anywhere among the nodes."""
+    ours = DistanceIntegral(tabulated_distance_prior(UNEVEN[density], minimum=20.0, maximum=500.0))
+    prior = ours.numbers
+    nearness = np.exp(np.random.default_rng(3).uniform(np.log(prior.least) + 1.2, np.log(prior.most) - 1.2, 40))
+    products, norms = loudness**2 / nearness, (loudness / nearness) ** 2
+    x, weights = np.polynomial.legendre.leggauss(1500)
+    expected = []
+    for product, norm, middle in zip(products, norms, nearness, strict=True):
+        low, high = (
+            max(prior.least, middle * (1.0 - 13.0 / loudness)),
+            min(prior.most, middle * (1.0 + 13.0 / loudness)),
+        )
+        u = 0.5 * (low + high + (high - low) * x)
+        exponent = -0.5 * norm * (u - middle) ** 2 - 4.0 * np.log(u) + ours._prior.beside_the_power(-np.log(u))
+        if phase:
+            exponent += np.log(special.ive(0, product * u))
+        total = np.sum(0.5 * (high - low) * weights * np.exp(exponent - exponent.max()))
+        expected.append(0.5 * product * middle + exponent.max() + np.log(total) - prior.log_norm)
+    found = ours.log_likelihood(products, norms, phase)
+    np.testing.assert_allclose(found, expected, rtol=1e-15, atol=1e-12 if density == "a power" else 1e-7)
 
 
 def test_a_prior_that_no_table_can_follow_is_refused():

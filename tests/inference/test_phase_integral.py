@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
-from bnserve_inference._marginalisation import DistanceIntegral, log_bessel_i0
+from bnserve_inference import tabulated_distance_prior
+from bnserve_inference._bessel import log_bessel_i0
+from bnserve_inference._marginalisation import DistanceIntegral
 from bnserve_inference._phase_integral import PhaseIntegral
 from bnserve_protocol import DistanceMarginalisation
 
@@ -47,21 +49,28 @@ def at_fixed_distance(products, norms):
 def test_it_is_the_mean_over_the_circle(ratio):
     products, norms = signals(ratio, rows=5)
     integral = PhaseIntegral(ORDERS)
-    found = integral.log_likelihood(products, integral.norms(pairs_of(norms)), at_fixed_distance)
+    found = integral.log_likelihood(products, integral.norms(pairs_of(norms)))
     expected = [over_steps(products[:, row], norms[row], at_fixed_distance, 2**18) for row in range(5)]
     np.testing.assert_allclose(found, expected, rtol=2e-15, atol=1e-14)
 
 
+PRIORS = {
+    "a power": DistanceMarginalisation(minimum=20.0, maximum=500.0),
+    "a table": tabulated_distance_prior(lambda x: x**2 / (1.0 + x / 800.0) ** 4, minimum=20.0, maximum=500.0),
+}
+
+
+@pytest.mark.parametrize("prior", PRIORS)
 @pytest.mark.parametrize("ratio", [0.1, 8.0, 300.0])
-def test_distances_are_integrated_inside(ratio):
+def test_distances_are_integrated_inside(ratio, prior):
     products, norms = signals(ratio, rows=2)
-    distance = DistanceIntegral(DistanceMarginalisation(minimum=20.0, maximum=500.0))
-    integral = PhaseIntegral(ORDERS, distance.factors)
+    distance = DistanceIntegral(PRIORS[prior])
+    integral = PhaseIntegral(ORDERS, distance.numbers)
 
     def value(x, n):
         return distance.log_likelihood(x, n, False)
 
-    found = integral.log_likelihood(products, integral.norms(pairs_of(norms)), value)
+    found = integral.log_likelihood(products, integral.norms(pairs_of(norms)))
     expected = [over_steps(products[:, row], norms[row], value, 2**14) for row in range(2)]
     np.testing.assert_allclose(found, expected, rtol=1e-14, atol=1e-13)
 
@@ -69,7 +78,7 @@ def test_distances_are_integrated_inside(ratio):
 @pytest.mark.parametrize("size", [1e-3, 1.0, 100.0, 1e6])
 def test_of_one_order_it_is_bessels_function(size):
     integral = PhaseIntegral((3,))
-    found = integral.log_likelihood(np.array([[size * np.exp(2j)]]), np.full((1, 1), 7.0 + 0j), at_fixed_distance)
+    found = integral.log_likelihood(np.array([[size * np.exp(2j)]]), np.full((1, 1), 7.0 + 0j))
     np.testing.assert_allclose(found, log_bessel_i0(np.array([size])) - 3.5, rtol=1e-14, atol=1e-14)
 
 
@@ -77,9 +86,9 @@ def test_a_row_has_the_same_bits_in_every_batch():
     products, norms = signals(20.0, rows=700)
     integral = PhaseIntegral(ORDERS)
     series = integral.norms(pairs_of(norms))
-    together = integral.log_likelihood(products, series, at_fixed_distance)
+    together = integral.log_likelihood(products, series)
     for place in (slice(0, 1), slice(3, 10), slice(600, 700)):
-        found = integral.log_likelihood(products[:, place], series[:, place], at_fixed_distance)
+        found = integral.log_likelihood(products[:, place], series[:, place])
         assert (found == together[place]).all()
 
 
@@ -87,8 +96,8 @@ def test_what_is_not_finite_is_no_likelihood_and_leaves_the_others_alone():
     products, norms = signals(20.0, rows=4)
     integral = PhaseIntegral(ORDERS)
     series = integral.norms(pairs_of(norms))
-    expected = integral.log_likelihood(products, series, at_fixed_distance)
+    expected = integral.log_likelihood(products, series)
     products[2, 1], series[0, 3] = np.nan, np.inf
-    found = integral.log_likelihood(products, series, at_fixed_distance)
+    found = integral.log_likelihood(products, series)
     assert np.isnan(found[[1, 3]]).all()
     assert (found[[0, 2]] == expected[[0, 2]]).all()

@@ -13,6 +13,8 @@ from bnserve_inference.fisher_kernel import build as forecasts
 from bnserve_inference.fisher_kernel._assembly import ASSEMBLY as FORECASTS
 from bnserve_inference.kernel import build as one_mode
 from bnserve_inference.kernel._contraction import ASSEMBLY as ONE_MODE
+from bnserve_inference.marginal_kernel import build as integrals
+from bnserve_inference.marginal_kernel._call import ASSEMBLY as INTEGRALS
 from bnserve_inference.modes_kernel import build as several_modes
 from bnserve_inference.modes_kernel._contraction import ASSEMBLY as SEVERAL_MODES
 from bnserve_inference.moving_kernel import build as moving
@@ -113,6 +115,7 @@ def test_an_analysis_that_travelled_gives_the_same_bits(model, data):
         (MOVING, moving),
         (FORECASTS, forecasts),
         (ADJOINT, adjoint),
+        (INTEGRALS, integrals),
     ],
 )
 def test_the_compiled_contractions_are_of_these_sources(assembly, build):

@@ -12,6 +12,7 @@ import bnserve_inference.adjoint_kernel._call as adjoint
 import bnserve_inference.fisher._factorisation as fisher
 import bnserve_inference.fisher_kernel._assembly as factorisation
 import bnserve_inference.kernel._contraction as contraction
+import bnserve_inference.marginal_kernel._call as integrals
 import bnserve_inference.modes_kernel._contraction as contraction_of_modes
 import bnserve_inference.moving_kernel._contraction as contraction_of_moving
 import bnserve_surrogate.adjoint._call as adjoint_of_modes
@@ -21,7 +22,7 @@ import bnserve_surrogate.precession._twist as precession
 import bnserve_surrogate.tangents._call as tangents
 from bnserve_inference import Detector, likelihood
 from bnserve_inference.fisher import Network, NoiseCurve, forecast
-from bnserve_protocol import Calibration, EvaluationOptions, ParameterBatch
+from bnserve_protocol import Calibration, DistanceMarginalisation, EvaluationOptions, ParameterBatch
 from bnserve_surrogate import Model
 from bnserve_surrogate.kernel.build import TOOLCHAIN_PREFIX, toolchain
 from tests.inference.networks import F_MAX, F_MIN, columns, full, network
@@ -151,6 +152,21 @@ def test_the_contraction_of_moving_detectors_is_what_its_sources_compile_to(tmp_
         with monkeypatch.context() as patch:
             patch.setattr(contraction_of_moving, "load_contraction", lambda: again)
             assert_close(shipped, ours.log_likelihood(given))
+
+
+def test_the_integrals_are_what_their_sources_compile_to(tmp_path, monkeypatch):
+    file = rebuilt("bnserve_inference.marginal_kernel.build", integrals.ASSEMBLY, tmp_path)
+    again = loader.load_assembly(file, integrals.ENTRY_POINT)
+    distance = DistanceMarginalisation(minimum=20.0, maximum=200.0)
+    for model in (Model.load("fast", "1.0.0"), Model.default()):
+        data, given = network(model), columns(20, width=0.25)
+        ours = likelihood(model, full(data, phase_marginalisation=True, distance_marginalisation=distance))
+        shipped = ours.gradients(given)
+        with monkeypatch.context() as patch:
+            patch.setattr(integrals, "load_integrals", lambda: again)
+            anew = ours.gradients(given)
+        assert_close(shipped.log_likelihood, anew.log_likelihood)
+        assert_close(shipped.gradient, anew.gradient)
 
 
 def test_the_factorisation_of_forecasts_is_what_its_sources_compile_to(tmp_path, monkeypatch):

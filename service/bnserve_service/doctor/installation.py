@@ -63,7 +63,7 @@ def _installed(distribution: str) -> str | None:
 
 def kernels() -> Findings:
     """The compiled code of waveforms and of likelihoods can be loaded on this processor."""
-    from bnserve_inference import adjoint_kernel, fisher_kernel, kernel, modes_kernel, moving_kernel
+    from bnserve_inference import adjoint_kernel, fisher_kernel, kernel, marginal_kernel, modes_kernel, moving_kernel
     from bnserve_surrogate import adjoint
     from bnserve_surrogate.kernel import load_kernel
 
@@ -72,6 +72,7 @@ def kernels() -> Findings:
     kernel.load_contraction()
     modes_kernel.load_contraction()
     moving_kernel.load_contraction()
+    marginal_kernel.load_integrals()
     fisher_kernel.load_factorisation()
     adjoint_kernel.load_adjoint()
     yield ok("kernels", f"waveforms and likelihoods, as machine code for {platform.machine()}")

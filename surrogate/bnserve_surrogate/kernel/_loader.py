@@ -35,8 +35,8 @@ _lock = threading.Lock()
 _engines: list[Any] = []
 """Engines own the machine code, so they live as long as the process."""
 _MOST_BYTES = 2**24
-_MOST_FILES = 8
-"""Those of other versions and processors go, the oldest first."""
+_MOST_FILES = 24
+"""Of ten kernels; those of other versions and processors go, the oldest first."""
 _DIGEST_BYTES = hashlib.sha256().digest_size
 
 
