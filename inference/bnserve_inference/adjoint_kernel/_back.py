@@ -9,11 +9,11 @@ from numba import njit
 
 from bnserve_inference.adjoint_kernel._layout import Argument, Buffer, Geometry, Shared
 from bnserve_inference.adjoint_kernel._response import block_of
-from bnserve_inference.adjoint_kernel._sums import across, dot, times
+from bnserve_inference.adjoint_kernel._sums import dot, times
+from bnserve_inference.kernel._layout import Argument as Common
 from bnserve_inference.kernel._sums import Floats, Integers
-from bnserve_inference.modes_kernel._layout import Argument as Modes
 from bnserve_inference.moving_kernel._layout import Coefficient
-from bnserve_surrogate.adjoint._sums import load_complex, split
+from bnserve_surrogate.adjoint._sums import across, load_complex, split
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._memory import floats_at, floats_in, load, padded, store, store_complex
@@ -103,10 +103,10 @@ def errors_back(size: int, shared: Floats, own: Floats) -> None:
 @njit(**JIT_OPTIONS)
 def errors_to_nodes(row: int, d: int, first: int, size: int, arguments: Integers, shared: Floats) -> None:
     """Add the errors' bars at a block to those at the calibration nodes."""
-    nodes, width = arguments[Modes.CALIBRATION_NODES], padded(arguments[Modes.POINTS])
+    nodes, width = arguments[Common.CALIBRATION_NODES], padded(arguments[Common.POINTS])
     lanes = block_of(shared, Shared.WORK)
-    place = 8 * nodes * (row * arguments[Modes.DETECTORS] + d)
-    splines = floats_at(arguments[Modes.SPLINES], nodes * width)
+    place = 8 * nodes * (row * arguments[Common.DETECTORS] + d)
+    splines = floats_at(arguments[Common.LINEAR_SPLINES], nodes * width)
     for part in range(2):
         out = floats_at(arguments[Argument.AMPLITUDE_BAR + part] + place, nodes)
         bars = block_of(shared, Shared.ERRORS_BAR + part)
@@ -120,11 +120,11 @@ def waves_back(
 ) -> None:
     """The bar of a mode's strain at a block, conjugated, and what is summed of those of its factors; ``waves`` is where
     it goes, or is added to."""
-    modes, points = arguments[Modes.MODES], arguments[Modes.POINTS]
-    plus = floats_at(arguments[Modes.PLUS] + 8 * (modes * row + mode), 1)[0]
-    cross = floats_at(arguments[Modes.CROSS] + 16 * (modes * row + mode), 2)
+    modes, points = arguments[Common.MODES], arguments[Common.POINTS]
+    plus = floats_at(arguments[Common.PLUS] + 8 * (modes * row + mode), 1)[0]
+    cross = floats_at(arguments[Common.CROSS] + 16 * (modes * row + mode), 2)
     cr, ci = cross[0], cross[1]
-    h = floats_at(arguments[Modes.STRAIN] + 16 * ((modes * row + mode) * points + first), 2 * filled)
+    h = floats_at(arguments[Common.STRAIN] + 16 * ((modes * row + mode) * points + first), 2 * filled)
     out = floats_at(arguments[Argument.FACTORS_BAR] + 32 * (modes * row + mode), 4)
     lanes = block_of(shared, Shared.WORK)
     split(filled, h, block_of(shared, Shared.WAVE), block_of(shared, Shared.WAVE + 1))

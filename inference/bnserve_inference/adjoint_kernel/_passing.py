@@ -8,8 +8,8 @@ from __future__ import annotations
 from numba import njit
 
 from bnserve_inference.adjoint_kernel._layout import Argument
+from bnserve_inference.kernel._layout import Argument as Common
 from bnserve_inference.kernel._sums import Floats, Integers
-from bnserve_inference.modes_kernel._layout import Argument as Modes
 from bnserve_inference.moving_kernel._layout import Argument as Moving
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, padded
@@ -65,10 +65,10 @@ def _turn_back(
 @njit(**JIT_OPTIONS)
 def passing_back(row: int, arguments: Integers, waves: Floats) -> None:
     """Add what passing times say of a row's strains to their conjugated bars."""
-    groups, points, modes = arguments[Modes.GROUPS], arguments[Modes.POINTS], arguments[Modes.MODES]
+    groups, points, modes = arguments[Common.GROUPS], arguments[Common.POINTS], arguments[Common.MODES]
     width = padded(points)
-    wave = floats_at(arguments[Modes.STRAIN] + 16 * modes * points * row, 2 * modes * points)
-    group_of = integers_at(arguments[Modes.GROUP_OF], modes)
+    wave = floats_at(arguments[Common.STRAIN] + 16 * modes * points * row, 2 * modes * points)
+    group_of = integers_at(arguments[Common.GROUP_OF], modes)
     slopes = floats_at(arguments[Moving.SLOPES], 2 * width)
     before, after = floats_in(slopes, 0, width), floats_in(slopes, width, width)
     for g in range(groups):

@@ -8,9 +8,10 @@ from numba import njit
 
 from bnserve_inference.adjoint_kernel._layout import Buffer, Geometry, Shared
 from bnserve_inference.adjoint_kernel._response import block_of
-from bnserve_inference.adjoint_kernel._sums import across, times
+from bnserve_inference.adjoint_kernel._sums import times
 from bnserve_inference.kernel._sums import Floats
 from bnserve_inference.moving_kernel._layout import Coefficient
+from bnserve_surrogate.adjoint._sums import across
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._memory import load, store

@@ -10,6 +10,7 @@ from numba import njit
 from bnserve_inference.adjoint_kernel._layout import Buffer, Shared
 from bnserve_inference.adjoint_kernel._response import block_of
 from bnserve_inference.kernel._sums import Floats
+from bnserve_surrogate.adjoint._sums import across
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
 from bnserve_surrogate.kernel._memory import load, store
@@ -150,10 +151,3 @@ def dot(a: Floats, b: Floats, size: int, lanes: Floats) -> float:
     for j in range(whole, size):
         rest += a[j] * b[j]
     return across(total, lanes) + rest
-
-
-@njit(inline="always")
-def across(vector: Any, lanes: Floats) -> float:
-    """Sum of the lanes of a vector."""
-    store(lanes, 0, vector)
-    return ((lanes[0] + lanes[1]) + (lanes[2] + lanes[3])) + ((lanes[4] + lanes[5]) + (lanes[6] + lanes[7]))

@@ -11,25 +11,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bnserve_inference._calibration import calibration_splines
+from bnserve_inference.kernel._block import AnyContraction, Floats, in_lanes, parts
 from bnserve_inference.kernel._layout import Argument, scratch_size
 from bnserve_protocol import Analysis
-from bnserve_protocol.wire import address_of
-from bnserve_surrogate.kernel import Workspace, load_assembly, padded
+from bnserve_surrogate.kernel import load_assembly
 
 ASSEMBLY = Path(__file__).with_name("contraction.ll")
 ENTRY_POINT = "bnserve_contract"
-
-Floats = NDArray[np.float64]
-_NONE = np.zeros(0)
 
 
 @functools.cache
 def load_contraction() -> Callable[[int, int, int], int]:
     """The compiled contraction, called as :func:`~bnserve_surrogate.kernel.load_assembly` says."""
     return load_assembly(ASSEMBLY, ENTRY_POINT)
-
-
-_workspace = Workspace(len(Argument))
 
 
 class InnerProducts(NamedTuple):
@@ -43,43 +37,30 @@ class InnerProducts(NamedTuple):
     spectrum: NDArray[np.complex128] | None
 
 
-class Contraction:
-    """The arrays of an analysis, as :class:`~bnserve_inference.kernel._layout.Argument` says, and calls with them.
-
-    Attributes
-    ----------
-    frequencies
-        Where the model is evaluated: linear and quadratic nodes merged, increasing, ``(M,)`` in Hz.
-    """
+class Contraction(AnyContraction):
+    """Of one mode, on :attr:`frequencies`: linear and quadratic nodes merged."""
 
     def __init__(self, analysis: Analysis) -> None:
-        settings, arrays = analysis.settings, analysis.arrays
-        detectors, calibration = settings.detectors, settings.calibration
-        linear, quadratic = nodes = analysis.linear_nodes, analysis.quadratic_nodes
-        self.frequencies = linear if settings.kind == "full" else np.union1d(linear, quadratic)
-        self._calibration_nodes = 0 if calibration is None else calibration.nodes
-        weights = [arrays[f"linear_weights/{name}"] for name in detectors]
-        tables = in_lanes(np.array([np.stack([table.real, table.imag], axis=1) for table in weights]))
-        grid = settings.time_grid
-        self._held = [
-            np.array([0.0, 1.0] if grid is None else [grid.start, grid.step]),
-            np.array([settings.sidereal_time, settings.sidereal_rate]),
-            np.array([arrays[f"response/{name}"] for name in detectors]),
-            np.array([arrays[f"location/{name}"] for name in detectors]),
-            in_lanes(linear),
-            np.searchsorted(self.frequencies, linear).astype(np.int64),
-            np.searchsorted(self.frequencies, quadratic).astype(np.int64),
-            tables,
-            in_lanes(np.array([arrays[f"quadratic_weights/{name}"] for name in detectors])),
-            *(
-                (_NONE, _NONE)
-                if calibration is None
-                else (in_lanes(calibration_splines(calibration, f)) for f in nodes)
-            ),
-        ]
-        counts = len(detectors), len(self.frequencies), len(linear), len(quadratic), tables.shape[1]
-        self._arguments = [*counts, *map(address_of, self._held)]
-        self._scratch_size = scratch_size(len(detectors))
+        settings, arrays, calibration = analysis.settings, analysis.arrays, analysis.settings.calibration
+        linear, quadratic = analysis.linear_nodes, analysis.quadratic_nodes
+        frequencies = linear if settings.kind == "full" else np.union1d(linear, quadratic)
+        tables = parts(np.array([arrays[f"linear_weights/{name}"] for name in settings.detectors]))
+        powers = np.array([arrays[f"quadratic_weights/{name}"] for name in settings.detectors])
+        own = {
+            Argument.LINEAR_WEIGHTS: in_lanes(tables),
+            Argument.QUADRATIC_WEIGHTS: in_lanes(powers),
+            Argument.LINEAR_AT: np.searchsorted(frequencies, linear).astype(np.int64),
+            Argument.QUADRATIC_AT: np.searchsorted(frequencies, quadratic).astype(np.int64),
+        }
+        if calibration is not None:
+            own[Argument.LINEAR_SPLINES] = in_lanes(calibration_splines(calibration, linear))
+            own[Argument.QUADRATIC_SPLINES] = in_lanes(calibration_splines(calibration, quadratic))
+        counts = {
+            Argument.LINEAR: len(linear),
+            Argument.QUADRATIC: len(quadratic),
+            Argument.KNOTS: tables.shape[1],
+        }
+        super().__init__(analysis, frequencies, own, counts, scratch_size(len(settings.detectors)))
 
     def __call__(
         self, h: NDArray[np.complex128], sky: Floats, calibration: tuple[Floats, Floats] | None,
@@ -104,24 +85,8 @@ class Contraction:
         products = np.empty((rows, times), dtype=np.complex128)
         norms = np.empty(rows)
         terms = np.empty((rows, self._arguments[Argument.LINEAR]), dtype=np.complex128) if spectrum else None
-        strain = np.ascontiguousarray(h, np.complex128)
-        given = [np.ascontiguousarray(array, np.float64) for array in (sky, *(calibration or (_NONE, _NONE)))]
-        sky_at, *errors_at = map(address_of, given)
-        workspace = _workspace
-        if workspace.scratch.size < self._scratch_size:
-            workspace.reserve(self._scratch_size)
-        workspace.arguments[:] = [
-            *self._arguments, rows, address_of(strain), sky_at,
-            0 if calibration is None else self._calibration_nodes, *errors_at,
-            times, int(np.float64(step).view(np.int64)), address_of(products), address_of(norms),
-            0 if terms is None else address_of(terms), workspace.scratch_at,
-        ]  # fmt: skip
-        if load_contraction()(*workspace.addresses) != 0:
-            raise RuntimeError("The contraction stopped with an error.")
+        self._contract(h, sky, calibration, times, step, products, norms, terms, (0, 0))
         return InnerProducts(data=products, norm=norms, spectrum=terms)
 
-
-def in_lanes(array: Floats) -> Floats:
-    """A C-contiguous copy, its last axis filled with zeros up to whole lanes."""
-    size = array.shape[-1]
-    return np.ascontiguousarray(np.pad(array, [(0, 0)] * (array.ndim - 1) + [(0, padded(size) - size)]))
+    def _loaded(self) -> Callable[[int, int, int], int]:
+        return load_contraction()

@@ -1,4 +1,4 @@
-; sources: b211b0f9b828988f3332778502b015080cf28d4ff78457886a70020d0d02c98d
+; sources: af07547f66637c7b08b62bd68f626b9aa40147f050e82fb5b1df44c85e16b2d7
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -10,7 +10,7 @@ entry:
   %.47.i = load i64, ptr %arg.arguments, align 8, !noalias !0
   %.199.i = mul nsw i64 %.47.i, 9
   %.285.i = mul nsw i64 %.47.i, 3
-  %.370.i = getelementptr i8, ptr %arg.arguments, i64 216
+  %.370.i = getelementptr i8, ptr %arg.arguments, i64 248
   %.371.i = load i64, ptr %.370.i, align 8, !noalias !0
   %.375.i = inttoptr i64 %.371.i to ptr
   %.501.i = getelementptr double, ptr %.375.i, i64 %.285.i
@@ -21,19 +21,19 @@ entry:
   %.847.i = getelementptr i8, ptr %.501.i, i64 20480
   %.926.i = getelementptr i8, ptr %.501.i, i64 24576
   %.992.i = getelementptr i8, ptr %.501.i, i64 28672
-  %.1376.i = getelementptr i8, ptr %arg.arguments, i64 128
+  %.1376.i = getelementptr i8, ptr %arg.arguments, i64 160
   %.1473.i = load i64, ptr %.1376.i, align 8, !noalias !0
   %.15531084.not.i = icmp slt i64 %.1473.i, 1
   br i1 %.15531084.not.i, label %_ZN17bnserve_inference6kernel7_source8contractB2v3B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIxLi1E1C7mutable7alignedE.exit, label %B574.if.lr.ph.i
 
 B574.if.lr.ph.i:                                  ; preds = %entry
-  %.1346.i = getelementptr i8, ptr %arg.arguments, i64 200
+  %.1346.i = getelementptr i8, ptr %arg.arguments, i64 232
   %.1347.i = load i64, ptr %.1346.i, align 8, !noalias !0
-  %.283.i = getelementptr i8, ptr %arg.arguments, i64 64
+  %.283.i = getelementptr i8, ptr %arg.arguments, i64 48
   %.284.i = load i64, ptr %.283.i, align 8, !noalias !0
-  %.197.i = getelementptr i8, ptr %arg.arguments, i64 56
+  %.197.i = getelementptr i8, ptr %arg.arguments, i64 40
   %.198.i = load i64, ptr %.197.i, align 8, !noalias !0
-  %.110.i = getelementptr i8, ptr %arg.arguments, i64 48
+  %.110.i = getelementptr i8, ptr %arg.arguments, i64 32
   %.111.i = load i64, ptr %.110.i, align 8, !noalias !0
   %.76.i = getelementptr i8, ptr %arg.arguments, i64 8
   %.77.i = load i64, ptr %.76.i, align 8, !noalias !0
@@ -42,31 +42,31 @@ B574.if.lr.ph.i:                                  ; preds = %entry
   %0 = inttoptr i64 %.111.i to ptr
   %1 = inttoptr i64 %.198.i to ptr
   %2 = inttoptr i64 %.284.i to ptr
-  %sunkaddr37.i = getelementptr i8, ptr %arg.arguments, i64 144
+  %sunkaddr37.i = getelementptr i8, ptr %arg.arguments, i64 176
   %.128.i.i = getelementptr i8, ptr %0, i64 8
   %.706618.not.i.i = icmp slt i64 %.47.i, 1
-  %sunkaddr.i = getelementptr i8, ptr %arg.arguments, i64 136
-  %.496.i2.i = getelementptr i8, ptr %arg.arguments, i64 16
-  %.526.i.i = getelementptr i8, ptr %arg.arguments, i64 176
-  %.607.i.i = getelementptr i8, ptr %arg.arguments, i64 152
-  %.644.i.i = getelementptr i8, ptr %arg.arguments, i64 72
-  %.726.i.i = getelementptr i8, ptr %arg.arguments, i64 80
-  %.824.i.i = getelementptr i8, ptr %arg.arguments, i64 112
-  %.907.i.i = getelementptr i8, ptr %arg.arguments, i64 32
-  %.954.i.i = getelementptr i8, ptr %arg.arguments, i64 192
-  %.490.i.i = getelementptr i8, ptr %arg.arguments, i64 24
-  %.608.i9.i = getelementptr i8, ptr %arg.arguments, i64 88
+  %sunkaddr.i = getelementptr i8, ptr %arg.arguments, i64 168
+  %.496.i2.i = getelementptr i8, ptr %arg.arguments, i64 88
+  %.526.i.i = getelementptr i8, ptr %arg.arguments, i64 208
+  %.607.i.i = getelementptr i8, ptr %arg.arguments, i64 184
+  %.644.i.i = getelementptr i8, ptr %arg.arguments, i64 56
+  %.726.i.i = getelementptr i8, ptr %arg.arguments, i64 104
+  %.824.i.i = getelementptr i8, ptr %arg.arguments, i64 80
+  %.907.i.i = getelementptr i8, ptr %arg.arguments, i64 16
+  %.954.i.i = getelementptr i8, ptr %arg.arguments, i64 224
+  %.490.i.i = getelementptr i8, ptr %arg.arguments, i64 96
+  %.608.i9.i = getelementptr i8, ptr %arg.arguments, i64 112
   %.696.i.i = getelementptr i8, ptr %arg.arguments, i64 120
   %3 = inttoptr i64 %.1347.i to ptr
   %scevgep.i.i.i = getelementptr i8, ptr %.501.i, i64 16440
   %scevgep.i493.i.i = getelementptr i8, ptr %.501.i, i64 20536
-  %sunkaddr65.i.i = getelementptr i8, ptr %arg.arguments, i64 184
-  %sunkaddr71.i.i = getelementptr i8, ptr %arg.arguments, i64 208
-  %sunkaddr64.i.i = getelementptr i8, ptr %arg.arguments, i64 160
-  %sunkaddr86.i.i = getelementptr i8, ptr %arg.arguments, i64 168
-  %sunkaddr98.i.i = getelementptr i8, ptr %arg.arguments, i64 40
-  %sunkaddr100.i.i = getelementptr i8, ptr %arg.arguments, i64 96
-  %sunkaddr65.i11.i = getelementptr i8, ptr %arg.arguments, i64 104
+  %sunkaddr65.i.i = getelementptr i8, ptr %arg.arguments, i64 216
+  %sunkaddr71.i.i = getelementptr i8, ptr %arg.arguments, i64 240
+  %sunkaddr64.i.i = getelementptr i8, ptr %arg.arguments, i64 192
+  %sunkaddr86.i.i = getelementptr i8, ptr %arg.arguments, i64 200
+  %sunkaddr98.i.i = getelementptr i8, ptr %arg.arguments, i64 24
+  %sunkaddr100.i.i = getelementptr i8, ptr %arg.arguments, i64 64
+  %sunkaddr65.i11.i = getelementptr i8, ptr %arg.arguments, i64 72
   br label %B574.if.i
 
 B574.if.i:                                        ; preds = %_ZN17bnserve_inference6kernel7_source19_contract_quadraticB3v69B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EE8UniTupleI5ArrayIdLi1E1C7mutable7alignedELi2EEE.exit.i, %B574.if.lr.ph.i

@@ -11,10 +11,10 @@ from typing import Any
 import numpy as np
 from numba import njit
 
-from bnserve_inference.kernel._layout import BLOCK, Sky
+from bnserve_inference.kernel._layout import BLOCK, Argument, Sky
 from bnserve_inference.kernel._source import _geometry
 from bnserve_inference.kernel._sums import Floats, Integers, add_terms, errors_at, lane_sum, spline_at
-from bnserve_inference.modes_kernel._layout import GROUP_BLOCKS, SHARED_BLOCKS, Argument
+from bnserve_inference.modes_kernel._layout import GROUP_BLOCKS, SHARED_BLOCKS
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
 from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, padded
 from bnserve_surrogate.kernel._simd import from_bits
@@ -142,7 +142,7 @@ def _gather(row: int, d: int, first: int, size: int, arguments: Integers, factor
     if nodes > 0:
         place = 8 * nodes * (row * arguments[Argument.DETECTORS] + d)
         width = padded(points)
-        splines = floats_at(arguments[Argument.SPLINES], nodes * width)
+        splines = floats_at(arguments[Argument.LINEAR_SPLINES], nodes * width)
         amplitude, phase = _blocks(blocks, 0, groups, size)
         errors_at(floats_at(arguments[Argument.AMPLITUDE_ERRORS] + place, nodes), splines, width, first, amplitude)
         errors_at(floats_at(arguments[Argument.PHASE_ERRORS] + place, nodes), splines, width, first, phase)
@@ -190,7 +190,7 @@ def _add_pairs(row: int, d: int, first: int, size: int, arguments: Integers, blo
     groups, width = arguments[Argument.GROUPS], padded(arguments[Argument.POINTS])
     shared = arguments[Argument.SHARED]
     pairs = groups * (groups + 1) // 2
-    out = floats_at(arguments[Argument.PAIRS] + 16 * pairs * row, 2 * pairs)
+    out = floats_at(arguments[Argument.NORMS] + 16 * pairs * row, 2 * pairs)
     pr, pi = _blocks(blocks, 0, groups, size)
     at = 0
     for g in range(groups):
@@ -198,7 +198,7 @@ def _add_pairs(row: int, d: int, first: int, size: int, arguments: Integers, blo
         for k in range(g, groups):
             br, bi = _blocks(blocks, 0, k, size)
             place = width * d if shared == 1 else 2 * width * (d * pairs + at)
-            weights = floats_at(arguments[Argument.PAIR_WEIGHTS] + 8 * place, 2 * width)
+            weights = floats_at(arguments[Argument.QUADRATIC_WEIGHTS] + 8 * place, 2 * width)
             imaginary = first if shared == 1 else width + first
             _pair(ar, ai, br, bi, floats_in(weights, first, size), floats_in(weights, imaginary, size), shared, pr, pi)
             out[2 * at] += lane_sum(pr)
@@ -226,7 +226,7 @@ def contract(arguments: Integers) -> int:
         _geometry(place, sidereal, responses, locations, pattern)
         _factors(row, arguments, pattern, factors)
         floats_at(arguments[Argument.PRODUCTS] + 16 * products * row, 2 * products)[:] = 0.0
-        floats_at(arguments[Argument.PAIRS] + 16 * pairs * row, 2 * pairs)[:] = 0.0
+        floats_at(arguments[Argument.NORMS] + 16 * pairs * row, 2 * pairs)[:] = 0.0
         if terms > 0:
             floats_at(arguments[Argument.SPECTRUM] + 16 * terms * row, 2 * terms)[:] = 0.0
         for first in range(0, width, BLOCK):

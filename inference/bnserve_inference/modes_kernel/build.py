@@ -8,8 +8,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from bnserve_inference.kernel import build as one_mode
+from bnserve_inference.kernel._layout import Argument
 from bnserve_inference.modes_kernel._contraction import ASSEMBLY, ENTRY_POINT
-from bnserve_inference.modes_kernel._layout import Argument
 from bnserve_surrogate.kernel import build
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from bnserve_inference.kernel._contraction import in_lanes
+from bnserve_inference.kernel._block import in_lanes
 from bnserve_inference.modes_kernel._contraction import GroupProducts, ModesContraction
 from bnserve_inference.moving_kernel._layout import ARGUMENTS, scratch_size
 from bnserve_protocol import Analysis

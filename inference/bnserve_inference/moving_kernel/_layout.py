@@ -5,6 +5,7 @@ from __future__ import annotations
 from enum import IntEnum, auto
 
 from bnserve_inference.kernel._layout import BLOCK
+from bnserve_inference.kernel._layout import Argument as Common
 from bnserve_inference.modes_kernel import _layout as modes_kernel
 
 GROUP_BLOCKS = modes_kernel.GROUP_BLOCKS + 6
@@ -39,9 +40,9 @@ COEFFICIENTS = 25
 
 
 class Argument(IntEnum):
-    """What follows :class:`bnserve_inference.modes_kernel._layout.Argument` in the block of one call."""
+    """What follows :class:`bnserve_inference.kernel._layout.Argument` in the block of one call."""
 
-    ARMS = len(modes_kernel.Argument)
+    ARMS = len(Common)
     """float64 ``(D, 2, 3)``, metres; zeros where they are short."""
     REFERENCE = auto()
     """float64 ``(G, 2, padded J)``: cosine and sine of the phase of the waveform that each group is compared with."""
@@ -60,7 +61,7 @@ class Argument(IntEnum):
     and of one group more, where they are found."""
 
 
-ARGUMENTS = len(modes_kernel.Argument) + len(Argument)
+ARGUMENTS = len(Common) + len(Argument)
 
 
 def scratch_size(detectors: int, groups: int) -> int:

@@ -14,8 +14,8 @@ from numba import float64, njit
 from numba.core import cgutils
 from numba.extending import intrinsic
 
+from bnserve_inference.kernel._layout import Argument as Common
 from bnserve_inference.kernel._sums import Floats, Integers
-from bnserve_inference.modes_kernel._layout import Argument as Modes
 from bnserve_inference.moving_kernel._layout import Argument
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, padded
@@ -79,13 +79,13 @@ def _turns(
 @njit(**JIT_OPTIONS)
 def find_passing(row: int, arguments: Integers) -> Any:
     """The times at which the groups of a row pass the nodes, ``(G, padded J)``: those given, or found here."""
-    groups, points, modes = arguments[Modes.GROUPS], arguments[Modes.POINTS], arguments[Modes.MODES]
+    groups, points, modes = arguments[Common.GROUPS], arguments[Common.POINTS], arguments[Common.MODES]
     width, stride = padded(points), arguments[Argument.PASSING_STRIDE]
     passing = floats_at(arguments[Argument.PASSING] + 8 * stride * row, (groups + 1) * width)
     if stride > 0:
         return passing
-    wave = floats_at(arguments[Modes.STRAIN] + 16 * modes * points * row, 2 * modes * points)
-    group_of = integers_at(arguments[Modes.GROUP_OF], modes)
+    wave = floats_at(arguments[Common.STRAIN] + 16 * modes * points * row, 2 * modes * points)
+    group_of = integers_at(arguments[Common.GROUP_OF], modes)
     reference = floats_at(arguments[Argument.REFERENCE], 2 * groups * width)
     times = floats_at(arguments[Argument.REFERENCE_TIMES], groups * width)
     slopes = floats_at(arguments[Argument.SLOPES], 2 * width)

@@ -9,8 +9,8 @@ from __future__ import annotations
 from numba import njit
 
 from bnserve_inference.kernel._layout import BLOCK, Sky
+from bnserve_inference.kernel._layout import Argument as Common
 from bnserve_inference.kernel._sums import Floats, Integers, errors_at
-from bnserve_inference.modes_kernel._layout import Argument as Modes
 from bnserve_inference.modes_kernel._source import _add_mode, _add_pairs, _add_products, _blocks, _calibrate
 from bnserve_inference.moving_kernel._layout import (
     COEFFICIENTS,
@@ -42,13 +42,13 @@ def _turn(times: Floats, rate: float, c: Floats, s: Floats) -> None:
 @njit(**JIT_OPTIONS)
 def _polarise(row: int, first: int, size: int, arguments: Integers, passing: Floats, blocks: Floats) -> None:
     """The polarisations of each group at a block of nodes, and how far the Earth has turned when it passes them."""
-    modes, groups, points = arguments[Modes.MODES], arguments[Modes.GROUPS], arguments[Modes.POINTS]
+    modes, groups, points = arguments[Common.MODES], arguments[Common.GROUPS], arguments[Common.POINTS]
     width = padded(points)
-    wave = floats_at(arguments[Modes.STRAIN] + 16 * modes * points * row, 2 * modes * points)
-    plus = floats_at(arguments[Modes.PLUS] + 8 * modes * row, modes)
-    cross = floats_at(arguments[Modes.CROSS] + 16 * modes * row, 2 * modes)
-    group_of = integers_at(arguments[Modes.GROUP_OF], modes)
-    rate = floats_at(arguments[Modes.SIDEREAL], 2)[1]
+    wave = floats_at(arguments[Common.STRAIN] + 16 * modes * points * row, 2 * modes * points)
+    plus = floats_at(arguments[Common.PLUS] + 8 * modes * row, modes)
+    cross = floats_at(arguments[Common.CROSS] + 16 * modes * row, 2 * modes)
+    group_of = integers_at(arguments[Common.GROUP_OF], modes)
+    rate = floats_at(arguments[Common.SIDEREAL], 2)[1]
     filled = min(size, points - first)
     for g in range(groups):
         pr, pi = _blocks(blocks, 0, _plus(groups, g), size)
@@ -66,8 +66,8 @@ def _polarise(row: int, first: int, size: int, arguments: Integers, passing: Flo
 @njit(**JIT_OPTIONS)
 def _respond(row: int, d: int, first: int, size: int, arguments: Integers, k: Floats, blocks: Floats) -> None:
     """The strain of each group in a detector at a block of nodes, with calibration errors."""
-    groups, width = arguments[Modes.GROUPS], padded(arguments[Modes.POINTS])
-    f = floats_in(floats_at(arguments[Modes.NODES], width), first, size)
+    groups, width = arguments[Common.GROUPS], padded(arguments[Common.POINTS])
+    f = floats_in(floats_at(arguments[Common.NODES], width), first, size)
     for g in range(groups):
         hr, hi = _blocks(blocks, 0, g, size)
         pr, pi = _blocks(blocks, 0, _plus(groups, g), size)
@@ -80,13 +80,13 @@ def _respond(row: int, d: int, first: int, size: int, arguments: Integers, k: Fl
         else:
             short_arms(k, c, s, pr, pi, xr, xi, hr, hi)
         delay(k, f, c, s, hr, hi)
-    nodes = arguments[Modes.CALIBRATION_NODES]
+    nodes = arguments[Common.CALIBRATION_NODES]
     if nodes > 0:
-        place = 8 * nodes * (row * arguments[Modes.DETECTORS] + d)
-        splines = floats_at(arguments[Modes.SPLINES], nodes * width)
+        place = 8 * nodes * (row * arguments[Common.DETECTORS] + d)
+        splines = floats_at(arguments[Common.LINEAR_SPLINES], nodes * width)
         amplitude, phase = _blocks(blocks, 0, groups, size)
-        errors_at(floats_at(arguments[Modes.AMPLITUDE_ERRORS] + place, nodes), splines, width, first, amplitude)
-        errors_at(floats_at(arguments[Modes.PHASE_ERRORS] + place, nodes), splines, width, first, phase)
+        errors_at(floats_at(arguments[Common.AMPLITUDE_ERRORS] + place, nodes), splines, width, first, amplitude)
+        errors_at(floats_at(arguments[Common.PHASE_ERRORS] + place, nodes), splines, width, first, phase)
         for g in range(groups):
             hr, hi = _blocks(blocks, 0, g, size)
             _calibrate(amplitude, phase, hr, hi)
@@ -95,11 +95,11 @@ def _respond(row: int, d: int, first: int, size: int, arguments: Integers, k: Fl
 @njit(**JIT_OPTIONS)
 def _place(row: int, arguments: Integers, out: Floats) -> None:
     """The coefficients of all detectors for one row."""
-    sky = floats_at(arguments[Modes.SKY] + 8 * _COLUMNS * row, _COLUMNS)
-    sidereal = floats_at(arguments[Modes.SIDEREAL], 2)
-    for d in range(arguments[Modes.DETECTORS]):
-        tensor = floats_at(arguments[Modes.RESPONSES] + 72 * d, 9)
-        place = floats_at(arguments[Modes.LOCATIONS] + 24 * d, 3)
+    sky = floats_at(arguments[Common.SKY] + 8 * _COLUMNS * row, _COLUMNS)
+    sidereal = floats_at(arguments[Common.SIDEREAL], 2)
+    for d in range(arguments[Common.DETECTORS]):
+        tensor = floats_at(arguments[Common.RESPONSES] + 72 * d, 9)
+        place = floats_at(arguments[Common.LOCATIONS] + 24 * d, 3)
         arms = floats_at(arguments[Argument.ARMS] + 48 * d, 6)
         found = floats_in(out, COEFFICIENTS * d, COEFFICIENTS)
         coefficients(sky, sidereal, arguments[Argument.MOVES], tensor, place, arms, found)
@@ -108,22 +108,22 @@ def _place(row: int, arguments: Integers, out: Floats) -> None:
 @njit(**JIT_OPTIONS)
 def contract(arguments: Integers) -> int:
     """Inner products of every row: see :class:`Argument`; returns 0."""
-    detectors, groups, points = arguments[Modes.DETECTORS], arguments[Modes.GROUPS], arguments[Modes.POINTS]
+    detectors, groups, points = arguments[Common.DETECTORS], arguments[Common.GROUPS], arguments[Common.POINTS]
     room = (GROUP_BLOCKS * groups + SHARED_BLOCKS) * BLOCK
-    scratch = floats_at(arguments[Modes.SCRATCH], COEFFICIENTS * detectors + room)
+    scratch = floats_at(arguments[Common.SCRATCH], COEFFICIENTS * detectors + room)
     found = floats_in(scratch, 0, COEFFICIENTS * detectors)
     blocks = floats_in(scratch, COEFFICIENTS * detectors, room)
     width = padded(points)
-    products, pairs = groups * arguments[Modes.TIMES], groups * (groups + 1) // 2
-    terms = groups * points if arguments[Modes.SPECTRUM] != 0 else 0
-    for row in range(arguments[Modes.ROWS]):
-        arrival = floats_at(arguments[Modes.SKY] + 8 * _COLUMNS * row, _COLUMNS)[Sky.TIME]
+    products, pairs = groups * arguments[Common.TIMES], groups * (groups + 1) // 2
+    terms = groups * points if arguments[Common.SPECTRUM] != 0 else 0
+    for row in range(arguments[Common.ROWS]):
+        arrival = floats_at(arguments[Common.SKY] + 8 * _COLUMNS * row, _COLUMNS)[Sky.TIME]
         _place(row, arguments, found)
         passing = find_passing(row, arguments)
-        floats_at(arguments[Modes.PRODUCTS] + 16 * products * row, 2 * products)[:] = 0.0
-        floats_at(arguments[Modes.PAIRS] + 16 * pairs * row, 2 * pairs)[:] = 0.0
+        floats_at(arguments[Common.PRODUCTS] + 16 * products * row, 2 * products)[:] = 0.0
+        floats_at(arguments[Common.NORMS] + 16 * pairs * row, 2 * pairs)[:] = 0.0
         if terms > 0:
-            floats_at(arguments[Modes.SPECTRUM] + 16 * terms * row, 2 * terms)[:] = 0.0
+            floats_at(arguments[Common.SPECTRUM] + 16 * terms * row, 2 * terms)[:] = 0.0
         for first in range(0, width, BLOCK):
             size = min(BLOCK, width - first)
             _polarise(row, first, size, arguments, passing, blocks)
