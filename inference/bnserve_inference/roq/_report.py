@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import base64
 import html
-import io
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -18,6 +16,7 @@ from bnserve_inference.roq._interpolant import AnyArray, Term, WaveformInterpola
 from bnserve_inference.roq._sampling import Prior
 from bnserve_inference.roq._storage import replacing
 from bnserve_protocol import ParameterBatch, WaveformModel, require
+from bnserve_store import report_figure, report_page
 
 _COLOURS: dict[Term, str] = {"linear": "#0072b2", "quadratic": "#d55e00"}
 _GREY = "#8a97a5"
@@ -45,29 +44,12 @@ def write_roq_report(path: Path | str, title: str, built: BuiltBasis, model: Wav
     PackageMissing
         matplotlib is not installed.
     """
-    images = []
-    for caption, figure in all_figures(built, model):
-        buffer = io.BytesIO()
-        figure.savefig(buffer, format="png", metadata={"Software": None})
-        encoded = base64.b64encode(buffer.getvalue()).decode()
-        images.append(
-            f'<figure><img src="data:image/png;base64,{encoded}" alt="{html.escape(caption)}">'
-            f"<figcaption>{html.escape(caption)}</figcaption></figure>"
-        )
     seconds = "\n".join(f"{name:12}{value:8.1f} s" for name, value in built.seconds.items())
-    text = _PAGE.format(
-        title=html.escape(title), text=html.escape(f"{describe(built.quadrature)}\n\n{seconds}"), images="".join(images)
-    )
+    text = html.escape(f"{describe(built.quadrature)}\n\n{seconds}")
+    images = [report_figure(caption, figure) for caption, figure in all_figures(built, model)]
+    page = report_page(title, f"<pre>{text}</pre>{''.join(images)}")
     with replacing(Path(path)) as temporary:
-        temporary.write_text(text, encoding="utf-8")
-
-
-_PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{title}</title>
-<style>body{{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#1b2733}}
-img{{width:100%}}figure{{margin:2rem 0}}figcaption{{color:#5a6b7b}}
-pre{{background:#f3f5f8;padding:1rem;overflow-x:auto}}</style>
-<h1>{title}</h1><pre>{text}</pre>{images}</html>
-"""
+        temporary.write_text(page, encoding="utf-8")
 
 
 def all_figures(built: BuiltBasis, model: WaveformModel) -> Iterator[tuple[str, Any]]:

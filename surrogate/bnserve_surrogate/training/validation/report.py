@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import base64
 import html
-import io
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from bnserve_protocol import require
+from bnserve_store import report_figure, report_page, report_table
 from bnserve_surrogate.training.data.chunks import write_whole
 from bnserve_surrogate.training.errors import DatasetUnwritable
 from bnserve_surrogate.training.validation.measurement import QUANTILES, Validation, quantiles
@@ -64,11 +63,6 @@ def page(title: str, digest: str, origin: dict[str, Any], validations: dict[str,
         "Differences of 100 waveforms to the generator's": _residual_figure(next(iter(validations.values()))),
         "Mismatch across the parameters": _parameter_figure(validations),
     }
-    images = "".join(
-        f'<figure><img src="data:image/png;base64,{image}" alt="{html.escape(name)}">'
-        f"<figcaption>{html.escape(name)}</figcaption></figure>"
-        for name, image in figures.items()
-    )
     facts = {
         "digest": digest,
         "generator": f"{origin['generator']['name']} {origin['generator']['version']}",
@@ -76,16 +70,12 @@ def page(title: str, digest: str, origin: dict[str, Any], validations: dict[str,
         "regressor": f"{origin['regressor_multiply_adds']} multiply-adds",
         "time": f"{origin['seconds']} s",
     }
-    rows = "".join(f"<tr><th>{html.escape(k)}</th><td>{html.escape(str(v))}</td></tr>" for k, v in facts.items())
-    return _PAGE.format(title=html.escape(title), rows=rows, table=table(validations), images=images)
-
-
-_PAGE = """<!doctype html><html lang="en"><meta charset="utf-8"><title>{title}</title>
-<style>body{{font:16px/1.5 system-ui,sans-serif;max-width:60rem;margin:2rem auto;padding:0 1rem;color:#1b2733}}
-img{{width:100%}}figure{{margin:2rem 0}}figcaption{{color:#5a6b7b}}th{{text-align:left;padding-right:1rem}}
-pre{{background:#f3f5f8;padding:1rem;overflow-x:auto}}</style>
-<h1>{title}</h1><table>{rows}</table><pre>{table}</pre>{images}</html>
-"""
+    parts = [
+        report_table((name, str(value)) for name, value in facts.items()),
+        f"<pre>{html.escape(table(validations))}</pre>",
+        *(report_figure(caption, figure) for caption, figure in figures.items()),
+    ]
+    return report_page(title, "".join(parts))
 
 
 def write_text(path: Path, text: str) -> None:
@@ -114,13 +104,7 @@ def _figure(rows: int, columns: int, size: tuple[float, float]) -> Any:
     return figure, figure.subplots(rows, columns, squeeze=False)
 
 
-def _png(figure: Any) -> str:
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=100)
-    return base64.b64encode(buffer.getvalue()).decode()
-
-
-def _mismatch_figure(validations: dict[str, Validation]) -> str:
+def _mismatch_figure(validations: dict[str, Validation]) -> Any:
     figure, axes = _figure(1, 1, (9, 4.2))
     axis = axes[0, 0]
     everything = np.concatenate([np.r_[v.mismatch, v.baseline_mismatch] for v in validations.values()])
@@ -135,10 +119,10 @@ def _mismatch_figure(validations: dict[str, Validation]) -> str:
             axis.hist(shown, bins, histtype="step", lw=2, ls=style, color=f"C{number}", label=f"{who}, {kind}")
     axis.set(xscale="log", xlabel="mismatch", ylabel="waveforms")
     axis.legend(frameon=False)
-    return _png(figure)
+    return figure
 
 
-def _residual_figure(validation: Validation) -> str:
+def _residual_figure(validation: Validation) -> Any:
     figure, axes = _figure(2, 1, (9, 6))
     for axis, values, label in (
         (axes[0, 0], validation.log_amplitude, "log amplitude"),
@@ -147,10 +131,10 @@ def _residual_figure(validation: Validation) -> str:
         axis.plot(validation.frequencies, values[:100].T, lw=0.6, alpha=0.5, color="C0")
         axis.set(xscale="log", ylabel=f"difference of {label}")
     axes[1, 0].set_xlabel("frequency at the reference mass [Hz]")
-    return _png(figure)
+    return figure
 
 
-def _parameter_figure(validations: dict[str, Validation]) -> str:
+def _parameter_figure(validations: dict[str, Validation]) -> Any:
     figure, axes = _figure(1, 5, (13, 3.4))
     names = ("mass ratio", "chi 1", "chi 2", "Lambda 1", "Lambda 2")
     for column, (axis, name) in enumerate(zip(axes[0], names, strict=True)):
@@ -160,4 +144,4 @@ def _parameter_figure(validations: dict[str, Validation]) -> str:
         axis.set(yscale="log", xlabel=name)
     axes[0, 0].set_ylabel("mismatch")
     axes[0, 0].legend(frameon=False)
-    return _png(figure)
+    return figure
