@@ -30,11 +30,11 @@ from bnserve_service.workers import pool
 
 sys.path.insert(0, str(Path(__file__).parent))  # wherever this is run from
 
+from rooms import ROOMS  # as above
 from settings_pages import HEAD, sample, settings_page, table  # as above
 
 ROOT = Path(__file__).parents[1]
 REFERENCE = Path("docs/reference")
-ROOMS = ("protocol", "client", "model_store", "surrogate", "inference", "posterior", "jax_model", "service")
 SAMPLE = Path("examples/bnserve.toml")
 
 
@@ -137,7 +137,8 @@ def _prose(text: str) -> str:
 
 def errors() -> Iterator[tuple[str, ast.ClassDef]]:
     """Code and definition of every error of all rooms, wherever it is; those of the protocol first."""
-    for file in [file for room in ROOMS for file in sorted((ROOT / room).glob("bnserve_*/**/*.py"))]:
+    rooms = sorted(ROOMS, key="protocol".__ne__)
+    for file in [file for room in rooms for file in sorted((ROOT / room).glob("bnserve_*/**/*.py"))]:
         for node in ast.walk(ast.parse(file.read_text())):
             if isinstance(node, ast.ClassDef):
                 code = re.search(r"^    code(?:: ClassVar\[str\])? = '([a-z-]+)'$", ast.unparse(node), re.MULTILINE)

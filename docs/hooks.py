@@ -11,9 +11,9 @@ from mkdocs.config.defaults import MkDocsConfig
 from mkdocs.structure.files import File, Files
 from mkdocs.structure.pages import Page
 from pymdownx.slugs import slugify
+from rooms import ROOMS  # in this folder
 
 ROOT = Path(__file__).parents[1]
-ROOMS = ("client", "protocol", "surrogate", "inference", "posterior", "jax_model", "model_store", "service")
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\((?!https?:|#)([^)#\s]+)(#[^)]*)?\)")
 ROLE = re.compile(r":\w+:(<code>)[.~]?")
 

@@ -4,16 +4,8 @@ import importlib
 import pkgutil
 import sys
 
-ROOMS = (
-    "bnserve_protocol",
-    "bnserve_store",
-    "bnserve_surrogate",
-    "bnserve_inference",
-    "bnserve_posterior",
-    "bnserve_jax",
-    "bnserve_service",
-    "bnserve_client",
-)
+from architecture.rooms import ROOMS  # beside this script
+
 EXTRAS = {
     "EOBRun_module",
     "bilby",
@@ -35,7 +27,7 @@ EXTRAS = {
 def main() -> int:
     """Import them all; 1 when one needs what no extra brings."""
     imported, left_out, failed = 0, 0, []
-    for room in ROOMS:
+    for room in ROOMS.values():
         package = importlib.import_module(room)
         for module in pkgutil.walk_packages(package.__path__, f"{room}.", onerror=lambda _: None):
             if module.name.endswith(".__main__"):  # which would run

@@ -26,16 +26,15 @@ import numpy as np
 from benchmarks.structure import sources, ways
 from benchmarks.structure.entering import Entered
 from benchmarks.workers import ROOT
+from tests.architecture.rooms import ROOMS
 
 
 def lines_at(commit: str) -> int:
     """Lines of the product at a commit."""
-    archived = subprocess.run(
-        ["git", "archive", commit, *sources.PACKAGES], cwd=ROOT, check=True, stdout=subprocess.PIPE
-    ).stdout
+    archived = subprocess.run(["git", "archive", commit, *ROOMS], cwd=ROOT, check=True, stdout=subprocess.PIPE).stdout
     with tempfile.TemporaryDirectory() as folder, tarfile.open(fileobj=io.BytesIO(archived)) as archive:
         archive.extractall(folder, filter="data")
-        places = [Path(folder) / room / package for room, package in sources.PACKAGES.items()]
+        places = [Path(folder) / room / package for room, package in ROOMS.items()]
         return sum(len(path.read_text().splitlines()) for place in places for path in place.rglob("*.py"))
 
 

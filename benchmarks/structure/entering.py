@@ -10,10 +10,10 @@ from pathlib import Path
 from types import FrameType
 from typing import Any
 
-from benchmarks.structure.sources import PACKAGES
 from bnserve_service import Settings, create_app
 from bnserve_service.process.listening import address_of, listen_tcp
 from bnserve_service.server import BnserveServer
+from tests.architecture.rooms import ROOMS
 
 
 class Entered:
@@ -43,7 +43,7 @@ class Entered:
 
 def _module_name(path: Path) -> str:
     parts = path.with_suffix("").parts
-    found = [number for number, part in enumerate(parts) if part in PACKAGES.values()]
+    found = [number for number, part in enumerate(parts) if part in ROOMS.values()]
     return ".".join(parts[found[-1] :]).removesuffix(".__init__") if found else ""
 
 

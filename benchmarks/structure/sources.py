@@ -10,25 +10,15 @@ from pathlib import Path
 import grimp
 
 from benchmarks.workers import ROOT
+from tests.architecture.rooms import ROOMS
 
-PACKAGES = {
-    "protocol": "bnserve_protocol",
-    "model_store": "bnserve_store",
-    "surrogate": "bnserve_surrogate",
-    "inference": "bnserve_inference",
-    "posterior": "bnserve_posterior",
-    "jax_model": "bnserve_jax",
-    "service": "bnserve_service",
-    "client": "bnserve_client",
-}
-"""Folder of each room, and the package in it."""
 LONG_FUNCTION, LARGE_CLASS = 40, 15
 """Lines, and methods whose names are not dunders; what is above is counted."""
 
 
 def modules(folder: str | None = None) -> dict[Path, str]:
     """Path and text of every module of the product, or of one folder."""
-    places = [ROOT / folder] if folder else [ROOT / room / package for room, package in PACKAGES.items()]
+    places = [ROOT / folder] if folder else [ROOT / room / package for room, package in ROOMS.items()]
     return {path: path.read_text() for place in places for path in sorted(place.rglob("*.py"))}
 
 
@@ -76,6 +66,6 @@ def folder_sizes(package: Path) -> Counter[Path]:
 
 def circles() -> list[str]:
     """Packages some of whose direct children import each other in a circle; imports for types alone count."""
-    graph = grimp.build_graph(*PACKAGES.values(), cache_dir=None)
+    graph = grimp.build_graph(*ROOMS.values(), cache_dir=None)
     parents = sorted(name for name in graph.modules if graph.find_children(name))
     return [name for name in parents if graph.nominate_cycle_breakers(name)]

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple, Protocol, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._derivatives import differentiates
 from bnserve_inference._modes import modes_of, orders
 from bnserve_inference._signals import Signals, Strain, Tile, calibration_errors
 from bnserve_inference._time_integral import TimeIntegral
@@ -20,7 +21,6 @@ from bnserve_inference.adjoint_kernel import Adjoint, Bars, PulledBack
 from bnserve_protocol import (
     DERIVATIVE_NAMES,
     Analysis,
-    InvalidRequest,
     LikelihoodBatch,
     ParameterBatch,
     WaveformModel,
@@ -91,14 +91,9 @@ class Gradients:
     def __init__(
         self, model: WaveformModel, analysis: Analysis, signals: Signals, times: TimeIntegral | None, marginal: Marginal
     ) -> None:
-        derivatives = getattr(model, "predict_derivatives", None)
-        differentiate = getattr(model, "predict_pullback", derivatives)
-        if differentiate is None:
-            raise InvalidRequest(
-                f"The model '{model.description.name}' does not say that it has derivatives: ask for log-likelihoods, "
-                "or take one that has, as all shipped ones do."
-            )
-        self._differentiate, self._signals, self._times, self._marginal = differentiate, signals, times, marginal
+        advice = ": ask for log-likelihoods, or take one that has, as all shipped ones do"
+        self._differentiate = differentiates(model, "predict_pullback", "predict_derivatives", advice=advice)
+        self._signals, self._times, self._marginal = signals, times, marginal
         self._settings, self._modes = analysis.settings, modes_of(analysis.settings, model.description)
         self._adjoint = Adjoint(analysis, signals.group_of)
         self.names = gradient_names(analysis.settings)

@@ -7,6 +7,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from bnserve_inference._derivatives import differentiates
 from bnserve_inference._modes import QUADRUPOLE, chosen_modes, orders
 from bnserve_inference.fisher._factorisation import Factorisation
 from bnserve_inference.fisher._matrix import LARGEST_CONDITION, condition
@@ -96,11 +97,8 @@ def forecast(
     if (own := getattr(model, "forecast", None)) is not None:  # a remote one, which makes them where it is
         remote: Forecast = own(network, samples, options)
         return remote
-    if not hasattr(model, "predict_derivatives"):
-        raise InvalidRequest(
-            f"The model '{model.description.name}' does not say that it has derivatives, which forecasts are made of: "
-            "take one that has, as all shipped ones do, or ask for signal-to-noise ratios alone."
-        )
+    instead = "take one that has, as all shipped ones do, or ask for signal-to-noise ratios alone"
+    differentiate = differentiates(model, "predict_derivatives", advice=f", which forecasts are made of: {instead}")
     batch, lost = without_the_unplaced(forecast_batch(samples), network)
     names, widths = options.names, dict(options.priors or {})
     _check(options)
@@ -117,7 +115,7 @@ def forecast(
         for start in range(0, len(block), size):
             rows = slice(start, start + size)
             part = block.rows(rows)
-            found = model.predict_derivatives(nodes.frequencies, part.waveform_batch(), options=asked)
+            found = differentiate(nodes.frequencies, part.waveform_batch(), options=asked)
             factored = factorisation(found, part, jacobian[rows], inverse_widths)
             roots.append(factored.root)
             squares.append(factored.squares)
