@@ -65,6 +65,11 @@ class Bins:
             turns = self._turning(ParameterBatch(binaries.values[start : start + _ROWS]))
             self._turns = np.maximum(self._turns, turns / (_MISLEADING if misleading else 1.0))
 
+    @property
+    def followed(self) -> float:
+        """Radians by which what was seen turns, over the whole band."""
+        return float(self._turns.sum())
+
     def narrow(self, excess: float) -> None:
         """Make all of them narrower, because what was seen has errors of ``excess`` times what is allowed."""
         if excess > 1.0:

@@ -34,6 +34,8 @@ _COMPARED, _DRAWN = 64, 32
 _HELD = 8
 """Modes of binaries for which fine bins are held to all frequencies, of two binaries at least and four at most."""
 _ATTEMPTS = 8
+_FARTHER = 1.02
+"""What turns so many times as far as all that was seen is new."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -208,13 +210,18 @@ def fitted_bins(fitting: Fitting, basis: FiducialBasis) -> Weighted:
 
 def _narrower(bins: Bins, compared: Compared, allowed: float, seen: int) -> FiducialBasis:
     """Bins for what was compared, of which the first ``seen`` had bins placed for them before."""
-    batch, found = compared.batch, compared.found
-    if seen:  # and they are still too wide
-        bins.narrow(float(found.total[:seen][compared.relevant[:seen]].max(initial=0.0)) / allowed)
+    batch, found, followed = compared.batch, compared.found, bins.followed
     bins.see(ParameterBatch(batch.values[found.best > compared.top - 2.0 * RELEVANT]), misleading=False)
     bins.see(ParameterBatch(batch.values[compared.misleads]), misleading=True)
     if not compared.misleads.any():  # then what fits with the bins does fit
         bins.see(compared.fitting, misleading=False)
+    if seen:
+        worst = found.total[:seen][compared.relevant[:seen]].max(initial=0.0)
+        if (
+            worst <= allowed and bins.followed < _FARTHER * followed
+        ):  # nothing is new, and some are too wide all the same
+            worst = found.total[compared.relevant].max()
+        bins.narrow(float(worst) / allowed)
     return bins.placed(compared.top)
 
 

@@ -11,6 +11,7 @@ import pytest
 from benchmarks.gw170817 import setting
 from benchmarks.inference.measuring import posterior_points, prior_samples
 from bnserve_inference import LikelihoodOptions, full_analysis, likelihood, relative_binning_analysis, roq_analysis
+from bnserve_inference._fitting import Fitting
 from bnserve_inference.roq import load_shipped_basis
 from bnserve_protocol import LIKELIHOOD_NAMES, AnalysisInvalid, Calibration, LikelihoodBatch
 from bnserve_surrogate import Model
@@ -92,6 +93,26 @@ def test_bins_are_as_narrow_as_asked_for_where_that_is_narrower_than_needed(mode
     batch = columns(16, width=1.5)
     expected = likelihood(model, full(data)).log_likelihood(batch)
     np.testing.assert_allclose(likelihood(model, narrow).log_likelihood(batch), expected, atol=0.005)
+
+
+def test_bins_that_are_just_too_wide_for_what_is_new_become_narrower(model, data, monkeypatch):
+    """They stayed as they were where what had been seen before was just right, and after eight times were refused."""
+    usual, binning, nodes = Fitting.compared, Fitting.binned, []
+
+    def counted(self, basis, fine):
+        nodes.append(len(basis.linear_nodes))
+        return binning(self, basis, fine)
+
+    def just_too_wide(self, trial, judge, seed, seen):
+        compared = usual(self, trial, judge, seed, seen)
+        if seen is not None and nodes[-1] < 1.1 * nodes[1]:
+            compared.found.total[len(seen) :] = 1.1 * self.allowed
+        return compared
+
+    monkeypatch.setattr(Fitting, "binned", counted)
+    monkeypatch.setattr(Fitting, "compared", just_too_wide)
+    binned(model, data, 2.0)
+    assert nodes[-1] >= 1.1 * nodes[1]
 
 
 @pytest.mark.parametrize("phase_tolerance", [0.001, 1e-300])
