@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from bnserve_protocol.wire import address_of
 from bnserve_surrogate.adjoint._layout import SUMS
-from bnserve_surrogate.kernel import KernelModel, ModePlan, Workspace, load_assembly
+from bnserve_surrogate.kernel import KernelModel, ModePlan, load_assembly
 from bnserve_surrogate.kernel._evaluate import PreparedGrid
 from bnserve_surrogate.kernel._layout import Argument
-from bnserve_surrogate.tangents import scratch_size
+from bnserve_surrogate.tangents import call_on_modes, scratch_size
 from bnserve_surrogate.tangents._layout import TANGENTS
 
 ASSEMBLY = Path(__file__).with_name("adjoint.ll")
@@ -22,8 +22,6 @@ ENTRY_POINT = "bnserve_pull_back_modes"
 
 Floats = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-
-_workspace = Workspace(len(Argument))
 
 
 @functools.cache
@@ -50,25 +48,16 @@ def pull_back(
     -------
     ``(N, 6)``: with respect to q, Lambda_1, Lambda_2, chi_1, chi_2 and the total mass; NaN of rows that are not OK.
     """
-    rows, modes, points = h.shape
+    rows, modes, _ = h.shape
     item = bars.itemsize
     if bars.strides[2] != item or bars.strides[0] != modes * bars.strides[1]:
         bars = np.ascontiguousarray(bars)
     out = np.empty((rows, TANGENTS))
-    workspace, needed = _workspace, SUMS + scratch_size(model, plan)
-    if workspace.scratch.size < needed:
-        workspace.reserve(needed)
-    _, grid_at, stride, bins, table_at = grid.block
     given = {
-        Argument.ROWS: rows, Argument.PARAMETERS: address_of(parameters), Argument.POINTS: points,
-        Argument.GRID: grid_at, Argument.STRIDE: stride, Argument.BINS: bins, Argument.TABLE: table_at,
-        Argument.ALIGNMENT: alignment, Argument.SCRATCH: workspace.scratch_at, Argument.FIRST: address_of(h),
-        Argument.SECOND: bars.__array_interface__["data"][0], Argument.GIVEN: bars.strides[1] // item,
-        Argument.PLUS: address_of(out), Argument.STATUS: address_of(status),
-        Argument.MODES: 0 if plan is None else plan.address,
-    }  # fmt: skip
-    given |= dict(zip((Argument.CONTENTS, Argument.EXPONENTS, Argument.WEIGHTS), model.addresses, strict=True))
-    workspace.arguments[:] = [given.get(argument, 0) for argument in Argument]
-    if load_adjoint()(*workspace.addresses) != 0:
-        raise RuntimeError("The compiled adjoint stopped with an error.")
+        Argument.SECOND: bars.__array_interface__["data"][0],
+        Argument.GIVEN: bars.strides[1] // item,
+        Argument.PLUS: address_of(out),
+    }
+    asked = model, grid, parameters, alignment, status, h, plan
+    call_on_modes(load_adjoint(), *asked, given, SUMS + scratch_size(model, plan))
     return out

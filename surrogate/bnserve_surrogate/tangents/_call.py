@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import numpy as np
@@ -72,22 +72,44 @@ def differentiate(
             f"There is no memory for the derivatives of {rows} waveforms on so many frequencies; evaluate fewer rows "
             "at a time, or on fewer frequencies."
         ) from error
-    workspace, needed = _workspace, scratch_size(model, plan)
-    if workspace.scratch.size < needed:
-        workspace.reserve(needed)
+    given = {Argument.SECOND: address_of(out)}
+    asked = model, grid, parameters, alignment, status, h, plan
+    call_on_modes(load_tangents(), *asked, given, scratch_size(model, plan))
+    return out
+
+
+def call_on_modes(
+    compiled: Callable[[int, int, int], int], model: KernelModel, grid: PreparedGrid, parameters: Floats,
+    alignment: int, status: NDArray[np.uint8], h: Complex, plan: ModePlan | None, more: Mapping[Argument, int],
+    scratch: int,
+) -> None:  # fmt: skip
+    """Call what is told of modes that were evaluated, and of where they come from.
+
+    Parameters
+    ----------
+    compiled
+        The derivatives, or the adjoint.
+    model, grid, parameters, alignment, status, h, plan
+        As of :func:`differentiate`.
+    more
+        What else it is told.
+    scratch
+        Floats of working memory.
+    """
+    workspace = _workspace
+    if workspace.scratch.size < scratch:
+        workspace.reserve(scratch)
     _, grid_at, stride, bins, table_at = grid.block
     given = {
-        Argument.ROWS: rows, Argument.PARAMETERS: address_of(parameters), Argument.POINTS: points,
+        Argument.ROWS: len(h), Argument.PARAMETERS: address_of(parameters), Argument.POINTS: h.shape[2],
         Argument.GRID: grid_at, Argument.STRIDE: stride, Argument.BINS: bins, Argument.TABLE: table_at,
         Argument.ALIGNMENT: alignment, Argument.SCRATCH: workspace.scratch_at, Argument.FIRST: address_of(h),
-        Argument.SECOND: address_of(out), Argument.STATUS: address_of(status),
-        Argument.MODES: 0 if plan is None else plan.address,
+        Argument.STATUS: address_of(status), Argument.MODES: 0 if plan is None else plan.address, **more,
     }  # fmt: skip
     given |= dict(zip((Argument.CONTENTS, Argument.EXPONENTS, Argument.WEIGHTS), model.addresses, strict=True))
     workspace.arguments[:] = [given.get(argument, 0) for argument in Argument]
-    if load_tangents()(*workspace.addresses) != 0:
+    if compiled(*workspace.addresses) != 0:
         raise RuntimeError("The compiled derivatives stopped with an error.")
-    return out
 
 
 def scratch_size(model: KernelModel, plan: ModePlan | None) -> int:
