@@ -1,4 +1,4 @@
-; sources: ca995b2d14eca27f169e4c2f1eb8cde9e238ddefe74d3722c561aff72d4c7f33
+; sources: 729a6ec9be5cedaf2e61a70e40ffcdd208164d9379b3d9fc524ff99e01de336e
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"
@@ -21,7 +21,7 @@ declare void @llvm.memset.p0.i64(ptr writeonly captures(none), i8, i64, i1 immar
 define internal fastcc void @inner_0(ptr noalias nonnull writeonly captures(none) %retptr, ptr readonly captures(none) %arg.arguments.4) unnamed_addr #0 {
 entry:
   %.509.i.i.i = alloca ptr, align 8
-  %.880.i.i133 = alloca double, align 8
+  %.880.i.i128 = alloca double, align 8
   %.869.i = alloca ptr, align 8
   %.904.i = alloca ptr, align 8
   %.1607.i = alloca ptr, align 8
@@ -45,7 +45,7 @@ entry:
   %.598983.not = icmp slt i64 %.518, 1
   br i1 %.598983.not, label %B1394, label %B544.if.lr.ph
 
-B1190:                                            ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v75B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B1190:                                            ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v146B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v94B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.84.i = load i64, ptr %.106, align 8, !noalias !0
   %.114.i = load i64, ptr %.76, align 8, !noalias !0
   %.144.i = load i64, ptr %.143, align 8, !noalias !0
@@ -56,12 +56,12 @@ B1190:                                            ; preds = %_ZN17bnserve_infere
   %.464729.not.i = icmp slt i64 %.84.i, 1
   br i1 %.464729.not.i, label %B482.i, label %B334.if.lr.ph.i
 
-B482.i:                                           ; preds = %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1190
+B482.i:                                           ; preds = %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v570B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1190
   %.781.i = load i64, ptr %.780.i, align 8, !noalias !0
   %.782.not.i = icmp eq i64 %.781.i, 0
   %.978758.not.i = icmp slt i64 %.114.i, 1
   %or.cond.i = select i1 %.782.not.i, i1 true, i1 %.978758.not.i
-  br i1 %or.cond.i, label %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B632.if.lr.ph.i
+  br i1 %or.cond.i, label %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B632.if.lr.ph.i
 
 B934.loopexit.unr-lcssa.i:                        ; preds = %B860.if.i
   br i1 %13, label %B934.i, label %B860.if.epil.preheader.i
@@ -79,12 +79,12 @@ B860.if.epil.preheader.i:                         ; preds = %B632.if.i, %B934.lo
 B934.i:                                           ; preds = %B632.if.i, %B860.if.epil.preheader.i, %B934.loopexit.unr-lcssa.i
   %scevgep125.i = getelementptr i8, ptr %lsr.iv.i3, i64 27648
   %exitcond793.not.i = icmp eq i64 %.991.i, %.114.i
-  br i1 %exitcond793.not.i, label %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B632.if.i
+  br i1 %exitcond793.not.i, label %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B632.if.i
 
 B334.if.lr.ph.i:                                  ; preds = %B1190
   %.261.i = load i64, ptr %.456.i, align 8, !noalias !0
   %1 = shl i64 %.1020890909, 4
-  %scevgep135.i = getelementptr i8, ptr %188, i64 %1
+  %scevgep135.i = getelementptr i8, ptr %166, i64 %1
   %2 = lshr i64 %.149.i, 3
   %3 = mul i64 %2, -128
   %4 = inttoptr i64 %.261.i to ptr
@@ -97,9 +97,9 @@ B334.if.lr.ph.i:                                  ; preds = %B1190
   %6 = add nuw nsw i64 %.964.i.i, 4
   br label %B334.if.i
 
-B334.if.i:                                        ; preds = %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B334.if.lr.ph.i
-  %lsr.iv136.i = phi ptr [ %scevgep135.i, %B334.if.lr.ph.i ], [ %scevgep137.i, %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %.470726730.i = phi i64 [ 0, %B334.if.lr.ph.i ], [ %.477.i, %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+B334.if.i:                                        ; preds = %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v570B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B334.if.lr.ph.i
+  %lsr.iv136.i = phi ptr [ %scevgep135.i, %B334.if.lr.ph.i ], [ %scevgep137.i, %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v570B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %.470726730.i = phi i64 [ 0, %B334.if.lr.ph.i ], [ %.477.i, %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v570B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %7 = shl i64 %.470726730.i, 3
   %scevgep134.i = getelementptr i8, ptr %4, i64 %7
   %.602.i = load i64, ptr %scevgep134.i, align 8, !noalias !0
@@ -110,7 +110,7 @@ B334.if.i:                                        ; preds = %_ZN17bnserve_infere
   store ptr null, ptr %.823.i.i, align 8, !noalias !3
   %.93.i.i = load i64, ptr %.106, align 8, !noalias !3
   %.123.i.i = load i64, ptr %.143, align 8, !noalias !3
-  %.154.i.i = load i64, ptr %.275.i100, align 8, !noalias !3
+  %.154.i.i = load i64, ptr %.275.i90, align 8, !noalias !3
   %.155.i.i = mul nsw i64 %.93.i.i, %.604928988
   %.156.i.i = add nsw i64 %.155.i.i, %.470726730.i
   %.157.i.i = shl nsw i64 %.156.i.i, 3
@@ -133,7 +133,7 @@ B334.if.i:                                        ; preds = %_ZN17bnserve_infere
   %.510.i.i = load i64, ptr %.509.i.i, align 8, !noalias !3
   store ptr null, ptr %.823.i.i, align 8, !noalias !3
   call fastcc void @inner_1(ptr nonnull %.823.i.i, i64 range(i64 -9223372036854775808, 129) %.13.i.i, ptr %.432.i.i, i64 %.431.i.i, ptr nonnull %.677.i.i, ptr nonnull %.760.i.i)
-  br i1 %.9851871.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B850.if.lr.ph.i.i
+  br i1 %.9851871.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v570B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B850.if.lr.ph.i.i
 
 B1546.i.i:                                        ; preds = %B850.if.i.i
   %9 = shl i64 %lsr.iv431.i.i, 1
@@ -169,7 +169,7 @@ B1622.i.i:                                        ; preds = %B850.if.i.i, %B1546
   %lsr.iv.next432.i.i = add i64 %lsr.iv431.i.i, 64
   %lsr.iv.next2.i.i = add nsw i64 %lsr.iv1.i.i, -1
   %.985.i.i = icmp sgt i64 %lsr.iv1.i.i, 5
-  br i1 %.985.i.i, label %B850.if.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.985.i.i, label %B850.if.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v570B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B850.if.lr.ph.i.i:                                ; preds = %B334.if.i
   %.1618.i.i = fneg contract double %.384.i.i
@@ -217,7 +217,7 @@ B850.if.i.i:                                      ; preds = %B850.if.lr.ph.i.i, 
   %.1737.i.i = icmp eq i64 %.1736.i.i, 1
   br i1 %.1737.i.i, label %B1546.i.i, label %B1622.i.i
 
-_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1622.i.i, %B334.if.i
+_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v570B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1622.i.i, %B334.if.i
   %a.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B334.if.i ], [ %.6.i315.i.i, %B1622.i.i ]
   %b.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B334.if.i ], [ %.6.i317.i.i, %B1622.i.i ]
   %c.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B334.if.i ], [ %.6.i321.i.i, %B1622.i.i ]
@@ -369,11 +369,11 @@ B860.if.i:                                        ; preds = %B860.if.i, %B860.if
   %niter.ncmp.1.not.i = icmp eq i64 %lsr.iv.next.i4, 0
   br i1 %niter.ncmp.1.not.i, label %B934.loopexit.unr-lcssa.i, label %B860.if.i
 
-_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B934.i, %B482.i
+_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B934.i, %B482.i
   %.1014 = icmp sgt i64 %.1013884910, 1
   br i1 %.1014, label %B896.if, label %B1232
 
-B1232:                                            ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit
+B1232:                                            ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit
   %.74.i = load i64, ptr %sunkaddr97, align 8, !noalias !6
   %.75.i = inttoptr i64 %.74.i to ptr
   %.152.i = getelementptr i8, ptr %.75.i, i64 8
@@ -464,7 +464,7 @@ B1356:                                            ; preds = %B1312
   %.667832.not.i = icmp slt i64 %.64.i, 1
   br i1 %.667832.not.i, label %B1390, label %B474.if.lr.ph.i
 
-B1068.i:                                          ; preds = %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v600B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B474.if.i
+B1068.i:                                          ; preds = %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v613B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B474.if.i
   %exitcond868.not.i = icmp eq i64 %.680.i, %.64.i
   br i1 %exitcond868.not.i, label %B1390, label %B474.if.i
 
@@ -516,8 +516,8 @@ B766.if.preheader.i:                              ; preds = %B474.if.i
   %scevgep139.i = getelementptr i8, ptr %34, i64 %22
   br label %B766.if.i
 
-B766.if.i:                                        ; preds = %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v600B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B766.if.preheader.i
-  %.1122805807.i = phi i64 [ %49, %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v600B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B766.if.preheader.i ]
+B766.if.i:                                        ; preds = %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v613B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B766.if.preheader.i
+  %.1122805807.i = phi i64 [ %49, %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v613B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ 0, %B766.if.preheader.i ]
   %sunkaddr28.i = shl i64 %.1122805807.i, 3
   %sunkaddr29.i = getelementptr i8, ptr %34, i64 %sunkaddr28.i
   %sunkaddr30.i = getelementptr i8, ptr %sunkaddr29.i, i64 8
@@ -607,7 +607,7 @@ B242.i.i:                                         ; preds = %B240.i.i, %B766.if.
   %.12.i.i.i = fcmp contract ogt double %.528.i.i, %.526.i.i
   %.13.i.i.i = select i1 %.12.i.i.i, double %.528.i.i, double %.526.i.i
   %.561.i.i = fcmp contract ogt double %.13.i.i.i, 0.000000e+00
-  br i1 %.561.i.i, label %B338.endif.i.i, label %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v600B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.561.i.i, label %B338.endif.i.i, label %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v613B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B452.i.i:                                         ; preds = %B342.if.i.i
   %.801.i.i = icmp slt i64 %lsr.iv.i.i, -2
@@ -695,7 +695,7 @@ B480.i.i:                                         ; preds = %B342.if.i.i, %B452.
   %scevgep13.i.i = getelementptr i8, ptr %lsr.iv12.i.i, i64 %32
   %lsr.iv.next22.i.i = sub i64 %lsr.iv21.i.i, %.141.1.i
   %exitcond496.not.i.i = icmp eq i64 %lsr.iv.next2.i.i9, 0
-  br i1 %exitcond496.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v600B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B342.if.i.i
+  br i1 %exitcond496.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v613B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B342.if.i.i
 
 B106.if.i.i:                                      ; preds = %B240.i.i, %B106.if.lr.ph.i.i
   %lsr.iv23.i.i = phi i64 [ %.328.i.i, %B106.if.lr.ph.i.i ], [ %lsr.iv.next24.i.i, %B240.i.i ]
@@ -717,7 +717,7 @@ B338.endif.i.i:                                   ; preds = %B242.i.i
   %.591.i.i = fadd contract double %.587.i.i, %.590.i.i
   %.596.i.i = fdiv contract double %.1529.i, %.591.i.i
   %.603.i.i = fdiv contract double %.596.i.i, %.13.i.i.i
-  br i1 %.699491.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v600B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B342.if.lr.ph.i.i
+  br i1 %.699491.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v613B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B342.if.lr.ph.i.i
 
 B342.if.lr.ph.i.i:                                ; preds = %B338.endif.i.i
   %.786.i.i = shl nuw i64 %.1122805807.i, 1
@@ -735,7 +735,7 @@ B342.if.i.i:                                      ; preds = %B342.if.lr.ph.i.i, 
   %.772.i.i = icmp eq i64 %.770.i.i, %.673815835.i
   br i1 %.772.i.i, label %B452.i.i, label %B480.i.i
 
-_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v600B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B480.i.i, %B338.endif.i.i, %B242.i.i
+_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v613B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B480.i.i, %B338.endif.i.i, %B242.i.i
   %48 = add nuw nsw i64 %.1122805807.i, 2
   %exitcond.not.i7 = icmp eq i64 %19, %48
   %49 = add nuw nsw i64 %.1122805807.i, 1
@@ -774,37 +774,37 @@ B544.if.lr.ph:                                    ; preds = %entry
   %sunkaddr3.i = getelementptr i8, ptr %arg.arguments.4, i64 40
   %sunkaddr4.i = getelementptr i8, ptr %arg.arguments.4, i64 48
   %sunkaddr.i14 = getelementptr i8, ptr %arg.arguments.4, i64 272
+  %.724.i = getelementptr i8, ptr %arg.arguments.4, i64 296
   %.547.i = getelementptr i8, ptr %arg.arguments.4, i64 280
   %.459.i = getelementptr i8, ptr %arg.arguments.4, i64 152
   %.361.i = getelementptr i8, ptr %arg.arguments.4, i64 168
-  %.724.i = getelementptr i8, ptr %arg.arguments.4, i64 296
   %.636.i = getelementptr i8, ptr %arg.arguments.4, i64 288
   %.178.i = getelementptr i8, ptr %arg.arguments.4, i64 168
-  %.275.i100 = getelementptr i8, ptr %arg.arguments.4, i64 256
+  %.275.i90 = getelementptr i8, ptr %arg.arguments.4, i64 256
   %.365.i = getelementptr i8, ptr %arg.arguments.4, i64 264
   %.456.i = getelementptr i8, ptr %arg.arguments.4, i64 152
   %.542.i = getelementptr i8, ptr %arg.arguments.4, i64 32
-  %sunkaddr.i108 = getelementptr i8, ptr %arg.arguments.4, i64 304
+  %sunkaddr.i97 = getelementptr i8, ptr %arg.arguments.4, i64 304
   %.1389.i = getelementptr inbounds nuw i8, ptr %.432, i64 10240
   %.1474.i = getelementptr inbounds nuw i8, ptr %.432, i64 11264
-  %scevgep.i114 = getelementptr i8, ptr %.432, i64 17408
+  %scevgep.i103 = getelementptr i8, ptr %.432, i64 17408
   %50 = icmp slt i64 %.47, 1
-  %.133.i134 = getelementptr i8, ptr %arg.arguments.4, i64 184
+  %.133.i129 = getelementptr i8, ptr %arg.arguments.4, i64 184
   %.171.i = getelementptr i8, ptr %arg.arguments.4, i64 56
   %.500.i = getelementptr i8, ptr %arg.arguments.4, i64 304
   %.607.i.i = getelementptr i8, ptr %.432, i64 3072
   %.734.i.i = getelementptr i8, ptr %arg.arguments.4, i64 80
-  %.817.i.i139 = getelementptr i8, ptr %arg.arguments.4, i64 192
+  %.817.i.i133 = getelementptr i8, ptr %arg.arguments.4, i64 192
   %.536.i.i = getelementptr inbounds nuw i8, ptr %.432, i64 2048
   %.935.i.i = getelementptr i8, ptr %arg.arguments.4, i64 200
-  %.1448.i.i143 = getelementptr inbounds nuw i8, ptr %.432, i64 4096
+  %.1448.i.i136 = getelementptr inbounds nuw i8, ptr %.432, i64 4096
   %.1612.i = getelementptr inbounds nuw i8, ptr %.432, i64 12288
   %.138.i.i = getelementptr i8, ptr %arg.arguments.4, i64 16
-  %.376.i.i188 = getelementptr i8, ptr %arg.arguments.4, i64 24
-  %.454.i.i189 = getelementptr i8, ptr %arg.arguments.4, i64 216
-  %.500.i.i190 = getelementptr i8, ptr %arg.arguments.4, i64 144
+  %.376.i.i189 = getelementptr i8, ptr %arg.arguments.4, i64 24
+  %.454.i.i190 = getelementptr i8, ptr %arg.arguments.4, i64 216
+  %.500.i.i191 = getelementptr i8, ptr %arg.arguments.4, i64 144
   %.557.i.i = getelementptr i8, ptr %arg.arguments.4, i64 64
-  %.999.i.i191 = getelementptr i8, ptr %arg.arguments.4, i64 208
+  %.999.i.i = getelementptr i8, ptr %arg.arguments.4, i64 208
   %.882.i.i = getelementptr i8, ptr %.432, i64 6144
   %.882.1.i.i = getelementptr i8, ptr %.432, i64 7168
   %.882.2.i.i = getelementptr i8, ptr %.432, i64 8192
@@ -822,7 +822,7 @@ B544.if.lr.ph:                                    ; preds = %entry
   %.5735.i.i = getelementptr i8, ptr %.432, i64 12328
   %.5765.i.i = getelementptr i8, ptr %.432, i64 12336
   %.5794.i.i = getelementptr i8, ptr %.432, i64 12344
-  %.169.i.i = getelementptr inbounds nuw i8, ptr %.432, i64 12288
+  %.169.i.i137 = getelementptr inbounds nuw i8, ptr %.432, i64 12288
   %.307.i.i = getelementptr i8, ptr %arg.arguments.4, i64 80
   %.592.i.i = getelementptr i8, ptr %.432, i64 4096
   %51 = getelementptr i8, ptr %arg.arguments.4, i64 392
@@ -1725,52 +1725,11 @@ _ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4
   br i1 %.293.i, label %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B288.i
 
 B288.i:                                           ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  %.373.i = shl i64 %.80.i52, 1
-  %.640.i = mul nsw i64 %.50.i, %.164.i
-  %.10071109.not.i = icmp slt i64 %.50.i, 1
-  br i1 %.10071109.not.i, label %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B766.if.lr.ph.i
-
-B1206.i:                                          ; preds = %B1088.if.i, %_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v72B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  br i1 %149, label %B1254.i, label %B1238.if.preheader.i
-
-B1238.if.preheader.i:                             ; preds = %B1206.i
-  br i1 %164, label %B1238.if.prol.loopexit.i, label %B1238.if.prol.i
-
-B1238.if.prol.i:                                  ; preds = %B1238.if.preheader.i, %B1238.if.prol.i
-  %prol.iter.i = phi i64 [ %prol.iter.next.i, %B1238.if.prol.i ], [ 0, %B1238.if.preheader.i ]
-  %126 = add i64 %prol.iter.i, %.80.i52
-  %.1964.prol.i = icmp slt i64 %126, 0
-  %127 = select i1 %.1964.prol.i, i64 %sunkaddr217.i, i64 0
-  %scevgep200.i = getelementptr i8, ptr %lsr.iv198.i, i64 %127
-  %128 = shl nuw nsw i64 %prol.iter.i, 3
-  %scevgep24.i = getelementptr i8, ptr %scevgep200.i, i64 %128
-  store double 0.000000e+00, ptr %scevgep24.i, align 8, !noalias !24
-  %prol.iter.next.i = add nuw nsw i64 %prol.iter.i, 1
-  %prol.iter.cmp.not.i = icmp eq i64 %xtraiter.i, %prol.iter.next.i
-  br i1 %prol.iter.cmp.not.i, label %B1238.if.prol.loopexit.loopexit.i, label %B1238.if.prol.i, !llvm.loop !27
-
-B1238.if.prol.loopexit.loopexit.i:                ; preds = %B1238.if.prol.i
-  %129 = sub nsw i64 %..1870.i, %prol.iter.next.i
-  %130 = add i64 %prol.iter.next.i, %.80.i52
-  br label %B1238.if.prol.loopexit.i
-
-B1238.if.prol.loopexit.i:                         ; preds = %B1238.if.prol.loopexit.loopexit.i, %B1238.if.preheader.i
-  %.191210641068.unr.i = phi i64 [ %..1870.i, %B1238.if.preheader.i ], [ %129, %B1238.if.prol.loopexit.loopexit.i ]
-  %.191910651067.unr.i = phi i64 [ %.80.i52, %B1238.if.preheader.i ], [ %130, %B1238.if.prol.loopexit.loopexit.i ]
-  br i1 %165, label %B1254.i, label %B1238.if.preheader179.i
-
-B1238.if.preheader179.i:                          ; preds = %B1238.if.prol.loopexit.i
-  %131 = add i64 %.191210641068.unr.i, 4
-  br label %B1238.if.i
-
-B1254.i:                                          ; preds = %B1238.if.i, %B1238.if.prol.loopexit.i, %B1206.i
-  %scevgep181.i = getelementptr i8, ptr %lsr.iv180.i, i64 %136
-  %scevgep192.i = getelementptr i8, ptr %lsr.iv191.i, i64 %136
-  %lsr.iv.next196.i = sub i64 %lsr.iv195.i, %.130.1.i
-  %scevgep199.i = getelementptr i8, ptr %lsr.iv198.i, i64 %136
-  %scevgep205.i = getelementptr i8, ptr %lsr.iv204.i, i64 %136
-  %exitcond1157.not.i = icmp eq i64 %.1020.i, %.50.i
-  br i1 %exitcond1157.not.i, label %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B766.if.i55
+  %.725.i = load i64, ptr %.724.i, align 8, !noalias !24
+  %.733.i = inttoptr i64 %.725.i to ptr
+  %.858.i = getelementptr double, ptr %.733.i, i64 %.164.i
+  %.10071199.not.i = icmp slt i64 %.50.i, 1
+  br i1 %.10071199.not.i, label %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B766.if.lr.ph.i
 
 B766.if.lr.ph.i:                                  ; preds = %B288.i
   %.548.i = load i64, ptr %.547.i, align 8, !noalias !24
@@ -1780,395 +1739,465 @@ B766.if.lr.ph.i:                                  ; preds = %B288.i
   %.366.i = mul i64 %.364.i, %.80.i52
   %.368.i = mul i64 %.366.i, %.110.i
   %.371.i = add nsw i64 %.362.i, %.368.i
-  %.725.i = load i64, ptr %.724.i, align 8, !noalias !24
   %.637.i = load i64, ptr %.636.i, align 8, !noalias !24
-  %132 = inttoptr i64 %.725.i to ptr
-  %133 = inttoptr i64 %.637.i to ptr
-  %134 = inttoptr i64 %.232.i to ptr
-  %.1129.i = getelementptr inbounds double, ptr %134, i64 %.640.i
-  %.1550.i = add i64 %.80.i52, -1
-  %.1870.i = sub i64 %.164.i, %.80.i52
-  %..1870.i = tail call i64 @llvm.smax.i64(i64 %.1870.i, i64 0)
-  %xtraiter.i = and i64 %..1870.i, 3
-  %scevgep.i54 = getelementptr i8, ptr %134, i64 8
-  %135 = lshr i64 %.122.i, 3
-  %136 = mul i64 %135, -64
-  %137 = shl i64 %135, 6
-  %138 = sub i64 8, %137
-  %scevgep183.i = getelementptr i8, ptr %132, i64 %138
-  %139 = shl i64 %.50.i, 6
-  %140 = mul i64 %139, %135
-  %141 = sub i64 8, %140
-  %scevgep185.i = getelementptr i8, ptr %134, i64 %141
-  %scevgep190.i = getelementptr i8, ptr %133, i64 8
-  %142 = shl i64 %.80.i52, 3
-  %scevgep197.i = getelementptr i8, ptr %134, i64 %142
-  %sunkaddr217.i = shl i64 %.164.i, 3
-  %143 = shl i64 %.640.i, 3
-  %144 = inttoptr i64 %.548.i to ptr
-  %145 = inttoptr i64 %.460.i to ptr
-  %146 = inttoptr i64 %.371.i to ptr
-  %.176508.not.i.i = icmp slt i64 %.80.i52, 1
-  %.369527.not.i.i = icmp slt i64 %.110.i, 1
-  %.1171.i.i = icmp slt i64 %.80.i52, 2
-  %..1133.i.i = select i1 %.1171.i.i, i64 0, i64 %.1550.i
-  %.1213538.i.i = icmp sgt i64 %..1133.i.i, 0
-  %.1406.inv.i.i = icmp sgt i64 %.80.i52, 0
-  %.1407.i.i = select i1 %.1406.inv.i.i, i64 0, i64 %.164.i
-  %147 = getelementptr double, ptr %.1129.i, i64 %.1550.i
-  %.1421.i.i = getelementptr double, ptr %147, i64 %.1407.i.i
-  %148 = icmp slt i64 %.1550.i, 1
-  %sunkaddr31.i = getelementptr inbounds i8, ptr %132, i64 %sunkaddr217.i
-  %149 = icmp slt i64 %.1870.i, 1
-  %xtraiter.i.i = and i64 %.80.i52, 3
-  %150 = icmp ult i64 %.80.i52, 4
-  %151 = add nsw i64 %.80.i52, -4
-  %152 = lshr i64 %151, 2
-  %153 = icmp eq i64 %152, 0
-  %154 = add nuw nsw i64 %152, 1
-  %155 = and i64 %154, 9223372036854775806
-  %156 = and i64 %151, 4
-  %lcmp.mod.not9.not.i.i = icmp eq i64 %156, 0
+  %126 = inttoptr i64 %.637.i to ptr
+  %127 = inttoptr i64 %.232.i to ptr
+  %.640.i = mul i64 %.50.i, %.164.i
+  %.1125.i = getelementptr double, ptr %127, i64 %.640.i
+  %128 = tail call i64 @llvm.smax.i64(i64 %.164.i, i64 0)
+  %storemerge1090.i = lshr exact i64 %128, 3
+  %129 = lshr i64 %.122.i, 3
+  %130 = mul i64 %129, -64
+  %131 = add nuw nsw i64 %storemerge1090.i, 3
+  %132 = inttoptr i64 %.548.i to ptr
+  %133 = inttoptr i64 %.460.i to ptr
+  %134 = inttoptr i64 %.371.i to ptr
+  %.146.i.i54 = icmp slt i64 %.164.i, 1
+  %135 = sub i64 7, %.130.1.i
+  %.169.i.i = lshr i64 %135, 3
+  %.1901286.not2107.i.i = icmp eq i64 %.169.i.i, 0
+  %.1901286.not.i.i = or i1 %.146.i.i54, %.1901286.not2107.i.i
+  %.258.i.i55 = add i64 %.80.i52, -1
+  %.303.i.i = and i64 %.258.i.i55, -8
+  %.3971410.not.i.i = icmp slt i64 %.110.i, 1
+  %sunkaddr10.i = getelementptr i8, ptr %.733.i, i64 8
+  %sunkaddr11.i = getelementptr i8, ptr %.858.i, i64 8
+  %sunkaddr12.i = getelementptr i8, ptr %.1125.i, i64 8
+  %sunkaddr15.i = getelementptr i8, ptr %.733.i, i64 16
+  %sunkaddr16.i = getelementptr i8, ptr %.858.i, i64 16
+  %sunkaddr17.i = getelementptr i8, ptr %.1125.i, i64 16
+  %sunkaddr23.i = getelementptr i8, ptr %.733.i, i64 24
+  %sunkaddr27.i56 = getelementptr i8, ptr %.858.i, i64 24
+  %sunkaddr31.i = getelementptr i8, ptr %.1125.i, i64 24
+  %sunkaddr39.i = getelementptr i8, ptr %.733.i, i64 32
+  %sunkaddr40.i = getelementptr i8, ptr %.858.i, i64 32
+  %sunkaddr41.i = getelementptr i8, ptr %.1125.i, i64 32
+  %sunkaddr43.i = getelementptr i8, ptr %.733.i, i64 40
+  %sunkaddr44.i = getelementptr i8, ptr %.858.i, i64 40
+  %sunkaddr45.i = getelementptr i8, ptr %.1125.i, i64 40
+  %sunkaddr47.i = getelementptr i8, ptr %.733.i, i64 48
+  %sunkaddr48.i = getelementptr i8, ptr %.858.i, i64 48
+  %sunkaddr49.i = getelementptr i8, ptr %.1125.i, i64 48
+  %sunkaddr51.i = getelementptr i8, ptr %.733.i, i64 56
+  %sunkaddr52.i = getelementptr i8, ptr %.858.i, i64 56
+  %sunkaddr53.i = getelementptr i8, ptr %.1125.i, i64 56
+  %136 = add nsw i64 %.169.i.i, -1
+  %xtraiter.i.i = and i64 %.169.i.i, 3
+  %137 = icmp ult i64 %136, 3
+  %138 = lshr i64 %135, 5
+  %139 = mul nsw i64 %138, -4
   %lcmp.mod.not.i.i = icmp eq i64 %xtraiter.i.i, 0
-  %157 = tail call i64 @llvm.smax.i64(i64 %.80.i52, i64 1)
-  %158 = add nsw i64 %157, -1
-  %159 = shl i64 %.80.i52, 4
-  %factor.op.mul.i = shl i64 %.80.i52, 4
-  %.375.reass.i = mul i64 %factor.op.mul.i, %.110.i
-  %160 = add i64 %.375.reass.i, 16
-  %161 = add i64 %.375.reass.i, 24
-  %162 = icmp sgt i64 %.80.i52, 1
-  %163 = or disjoint i64 %.375.reass.i, 8
-  %164 = icmp eq i64 %xtraiter.i, 0
-  %165 = icmp slt i64 %.1870.i, 4
-  br label %B766.if.i55
+  %140 = shl nuw nsw i64 %xtraiter.i.i, 6
+  %.586.i.i = icmp slt i64 %.80.i52, 9
+  %.605.i.i57 = ashr i64 %.258.i.i55, 3
+  %storemerge785.i.i = select i1 %.586.i.i, i64 0, i64 %.605.i.i57
+  %.1255.i.i58 = and i64 %.258.i.i55, 7
+  %scevgep604.i.i = getelementptr i8, ptr %134, i64 16
+  %141 = shl i64 %.80.i52, 4
+  %142 = shl i64 %.258.i.i55, 4
+  %143 = and i64 %142, -128
+  %144 = getelementptr i8, ptr %134, i64 %143
+  %scevgep614.i.i = getelementptr i8, ptr %144, i64 24
+  %145 = shl i64 %.164.i, 3
+  %146 = or disjoint i64 %145, 8
+  %147 = add nsw i64 %storemerge785.i.i, 4
+  %148 = add nuw nsw i64 %.1255.i.i58, 4
+  %149 = icmp sgt i64 %storemerge785.i.i, 0
+  %150 = icmp eq i64 %.1255.i.i58, 0
+  %151 = add nuw nsw i64 %.169.i.i, 4
+  %152 = icmp sgt i64 %.164.i, 8
+  %sunkaddr8.i = getelementptr i8, ptr %.733.i, i64 %145
+  br label %B766.if.i59
 
-B766.if.i55:                                      ; preds = %B766.if.lr.ph.i, %B1254.i
-  %lsr.iv204.i = phi ptr [ %134, %B766.if.lr.ph.i ], [ %scevgep205.i, %B1254.i ]
-  %lsr.iv198.i = phi ptr [ %scevgep197.i, %B766.if.lr.ph.i ], [ %scevgep199.i, %B1254.i ]
-  %lsr.iv195.i = phi i64 [ 1, %B766.if.lr.ph.i ], [ %lsr.iv.next196.i, %B1254.i ]
-  %lsr.iv191.i = phi ptr [ %scevgep190.i, %B766.if.lr.ph.i ], [ %scevgep192.i, %B1254.i ]
-  %lsr.iv180.i = phi ptr [ %scevgep.i54, %B766.if.lr.ph.i ], [ %scevgep181.i, %B1254.i ]
-  %.101310761114.i = phi i64 [ 0, %B766.if.lr.ph.i ], [ %.1020.i, %B1254.i ]
-  %.1020.i = add nuw nsw i64 %.101310761114.i, 1
-  %.1051.i = mul nsw i64 %.101310761114.i, %.164.i
-  %.1063.i = getelementptr inbounds double, ptr %134, i64 %.1051.i
-  %.1200.i = shl nuw nsw i64 %.101310761114.i, 1
-  %.1202.i = mul nsw i64 %.1200.i, %.164.i
-  %.1214.i56 = getelementptr inbounds double, ptr %144, i64 %.1202.i
-  %.1268.neg.i = xor i64 %.1200.i, -1
-  %.1270.i = mul i64 %.130.1.i, %.1268.neg.i
-  %.1282.i = getelementptr inbounds double, ptr %144, i64 %.1270.i
-  br i1 %.176508.not.i.i, label %B60.i.i, label %B34.if.preheader.i.i
+B766.if.i59:                                      ; preds = %B1398.if.i, %B766.if.lr.ph.i
+  %lsr.iv245.i = phi ptr [ %126, %B766.if.lr.ph.i ], [ %scevgep246.i, %B1398.if.i ]
+  %lsr.iv242.i = phi ptr [ %127, %B766.if.lr.ph.i ], [ %scevgep243.i, %B1398.if.i ]
+  %.101311541204.i = phi i64 [ 0, %B766.if.lr.ph.i ], [ %.1020.i, %B1398.if.i ]
+  %.1020.i = add nuw nsw i64 %.101311541204.i, 1
+  %.1047.i = mul nsw i64 %.101311541204.i, %.164.i
+  %.1059.i = getelementptr inbounds double, ptr %127, i64 %.1047.i
+  %.1266.i = shl nuw nsw i64 %.101311541204.i, 1
+  %.1268.i = mul nsw i64 %.1266.i, %.164.i
+  %.1280.i = getelementptr inbounds double, ptr %132, i64 %.1268.i
+  %.1333.neg.i = xor i64 %.1266.i, -1
+  %.1335.i = mul i64 %.130.1.i, %.1333.neg.i
+  %.1347.i = getelementptr inbounds double, ptr %132, i64 %.1335.i
+  br i1 %.1901286.not.i.i, label %B200.i.i, label %B74.if.preheader.i.i
 
-B34.if.preheader.i.i:                             ; preds = %B766.if.i55
-  br i1 %150, label %B34.if.epil.preheader.i.i, label %B34.if.preheader.new.i.i
+B74.if.preheader.i.i:                             ; preds = %B766.if.i59
+  br i1 %137, label %B74.if.epil.preheader.i.i, label %B74.if.i.i
 
-B34.if.preheader.new.i.i:                         ; preds = %B34.if.preheader.i.i
-  br i1 %153, label %B34.if.epil.preheader1.i.i, label %B34.if.i.i
+B200.loopexit.unr-lcssa.i.i:                      ; preds = %B74.if.i.i
+  br i1 %lcmp.mod.not.i.i, label %B200.i.i, label %B74.if.epil.preheader.i.i
 
-B60.loopexit.unr-lcssa.unr-lcssa.i.i:             ; preds = %B34.if.i.i
-  br i1 %lcmp.mod.not9.not.i.i, label %B34.if.epil.preheader1.i.i, label %B60.loopexit.unr-lcssa.i.i
+B74.if.epil.preheader.i.i:                        ; preds = %B200.loopexit.unr-lcssa.i.i, %B74.if.preheader.i.i
+  %.19612851287.epil.init.i.i = phi i64 [ 0, %B74.if.preheader.i.i ], [ %.203.3.i.i, %B200.loopexit.unr-lcssa.i.i ]
+  %153 = shl i64 %.19612851287.epil.init.i.i, 3
+  %scevgep636.i.i = getelementptr i8, ptr %.1125.i, i64 %153
+  %scevgep640.i.i = getelementptr i8, ptr %.1059.i, i64 %153
+  br label %B74.if.epil.i.i
 
-B34.if.epil.preheader1.i.i:                       ; preds = %B60.loopexit.unr-lcssa.unr-lcssa.i.i, %B34.if.preheader.new.i.i
-  %.182507509.epil.init5.i.i = phi i64 [ 0, %B34.if.preheader.new.i.i ], [ %.189.3.1.i.i, %B60.loopexit.unr-lcssa.unr-lcssa.i.i ]
-  %sunkaddr.epil.i.i = shl i64 %.182507509.epil.init5.i.i, 3
-  %sunkaddr50.epil.i.i = getelementptr i8, ptr %.1063.i, i64 %sunkaddr.epil.i.i
-  store double 0.000000e+00, ptr %sunkaddr50.epil.i.i, align 8, !noalias !29
-  %sunkaddr52.epil.i.i = getelementptr i8, ptr %.1129.i, i64 %sunkaddr.epil.i.i
-  store double 0.000000e+00, ptr %sunkaddr52.epil.i.i, align 8, !noalias !29
-  %sunkaddr55.epil.i.i = getelementptr i8, ptr %sunkaddr50.epil.i.i, i64 8
-  store double 0.000000e+00, ptr %sunkaddr55.epil.i.i, align 8, !noalias !29
-  %sunkaddr58.epil.i.i = getelementptr i8, ptr %sunkaddr52.epil.i.i, i64 8
-  store double 0.000000e+00, ptr %sunkaddr58.epil.i.i, align 8, !noalias !29
-  %sunkaddr61.epil.i.i = getelementptr i8, ptr %sunkaddr50.epil.i.i, i64 16
-  store double 0.000000e+00, ptr %sunkaddr61.epil.i.i, align 8, !noalias !29
-  %sunkaddr64.epil.i.i = getelementptr i8, ptr %sunkaddr52.epil.i.i, i64 16
-  store double 0.000000e+00, ptr %sunkaddr64.epil.i.i, align 8, !noalias !29
-  %.189.3.epil.i.i = add nuw nsw i64 %.182507509.epil.init5.i.i, 4
-  %sunkaddr67.epil.i.i = getelementptr i8, ptr %sunkaddr50.epil.i.i, i64 24
-  store double 0.000000e+00, ptr %sunkaddr67.epil.i.i, align 8, !noalias !29
-  %sunkaddr70.epil.i.i = getelementptr i8, ptr %sunkaddr52.epil.i.i, i64 24
-  store double 0.000000e+00, ptr %sunkaddr70.epil.i.i, align 8, !noalias !29
-  br label %B60.loopexit.unr-lcssa.i.i
+B74.if.epil.i.i:                                  ; preds = %B74.if.epil.i.i, %B74.if.epil.preheader.i.i
+  %lsr.iv637.i.i = phi i64 [ %lsr.iv.next638.i.i, %B74.if.epil.i.i ], [ 0, %B74.if.epil.preheader.i.i ]
+  %scevgep641.i.i = getelementptr i8, ptr %scevgep640.i.i, i64 %lsr.iv637.i.i
+  store <8 x double> zeroinitializer, ptr %scevgep641.i.i, align 8, !noalias !27
+  %scevgep639.i.i = getelementptr i8, ptr %scevgep636.i.i, i64 %lsr.iv637.i.i
+  store <8 x double> zeroinitializer, ptr %scevgep639.i.i, align 8, !noalias !27
+  %lsr.iv.next638.i.i = add nuw nsw i64 %lsr.iv637.i.i, 64
+  %epil.iter.cmp.not.i.i = icmp eq i64 %140, %lsr.iv.next638.i.i
+  br i1 %epil.iter.cmp.not.i.i, label %B200.i.i, label %B74.if.epil.i.i, !llvm.loop !30
 
-B60.loopexit.unr-lcssa.i.i:                       ; preds = %B34.if.epil.preheader1.i.i, %B60.loopexit.unr-lcssa.unr-lcssa.i.i
-  %.189.3.lcssa.i.i = phi i64 [ %.189.3.epil.i.i, %B34.if.epil.preheader1.i.i ], [ %.189.3.1.i.i, %B60.loopexit.unr-lcssa.unr-lcssa.i.i ]
-  br i1 %lcmp.mod.not.i.i, label %B60.i.i, label %B34.if.epil.preheader.i.i
+B200.i.i:                                         ; preds = %B74.if.epil.i.i, %B200.loopexit.unr-lcssa.i.i, %B766.if.i59
+  br i1 %.3971410.not.i.i, label %B1324.i.i, label %B298.if.i.i
 
-B34.if.epil.preheader.i.i:                        ; preds = %B60.loopexit.unr-lcssa.i.i, %B34.if.preheader.i.i
-  %.182507509.epil.init.i.i = phi i64 [ 0, %B34.if.preheader.i.i ], [ %.189.3.lcssa.i.i, %B60.loopexit.unr-lcssa.i.i ]
-  %166 = shl i64 %.182507509.epil.init.i.i, 3
-  %scevgep30.i.i59 = getelementptr i8, ptr %.1129.i, i64 %166
-  %scevgep32.i.i = getelementptr i8, ptr %.1063.i, i64 %166
-  br label %B34.if.epil.i.i
+B330.i.i:                                         ; preds = %B298.if.i.i
+  br i1 %149, label %B426.if.i.i, label %B912.i.i
 
-B34.if.epil.i.i:                                  ; preds = %B34.if.epil.i.i, %B34.if.epil.preheader.i.i
-  %epil.iter.i.i = phi i64 [ %epil.iter.next.i.i, %B34.if.epil.i.i ], [ 0, %B34.if.epil.preheader.i.i ]
-  %167 = shl i64 %epil.iter.i.i, 3
-  %scevgep42.i.i60 = getelementptr i8, ptr %scevgep32.i.i, i64 %167
-  store double 0.000000e+00, ptr %scevgep42.i.i60, align 8, !noalias !29
-  %scevgep41.i.i61 = getelementptr i8, ptr %scevgep30.i.i59, i64 %167
-  store double 0.000000e+00, ptr %scevgep41.i.i61, align 8, !noalias !29
-  %epil.iter.next.i.i = add i64 %epil.iter.i.i, 1
-  %epil.iter.cmp.not.i.i = icmp eq i64 %xtraiter.i.i, %epil.iter.next.i.i
-  br i1 %epil.iter.cmp.not.i.i, label %B60.i.i, label %B34.if.epil.i.i, !llvm.loop !32
+B912.i.i:                                         ; preds = %B426.if.i.i, %B330.i.i
+  br i1 %150, label %B1320.i.i, label %B944.if.i.i
 
-B60.i.i:                                          ; preds = %B34.if.epil.i.i, %B60.loopexit.unr-lcssa.i.i, %B766.if.i55
-  br i1 %.369527.not.i.i, label %B682.i.i, label %B112.if.i.i
+B1320.i.i:                                        ; preds = %B944.if.i.i, %B298.if.i.i, %B912.i.i
+  %scevgep606.i.i = getelementptr i8, ptr %lsr.iv605.i.i, i64 %141
+  %scevgep616.i.i = getelementptr i8, ptr %lsr.iv615.i.i, i64 %141
+  %exitcond.not.i.i64 = icmp eq i64 %.410.i.i62, %.110.i
+  br i1 %exitcond.not.i.i64, label %B1324.i.i, label %B298.if.i.i
 
-B678.i.i:                                         ; preds = %B196.if.i.i, %B112.if.i.i
-  %lsr.iv.next8.i.i = add i64 %lsr.iv7.i.i, %.373.i
-  %scevgep14.i.i = getelementptr i8, ptr %lsr.iv13.i.i, i64 %159
-  %exitcond544.not.i.i = icmp eq i64 %.382.i.i62, %.110.i
-  br i1 %exitcond544.not.i.i, label %B682.i.i, label %B112.if.i.i
+B1324.i.i:                                        ; preds = %B1320.i.i, %B200.i.i
+  br i1 %.1901286.not.i.i, label %_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v73B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B1368.if.i.i
 
-B682.i.i:                                         ; preds = %B678.i.i, %B60.i.i
-  br i1 %.1213538.i.i, label %B718.if.i.i, label %_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v72B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B74.if.i.i:                                       ; preds = %B74.if.preheader.i.i, %B74.if.i.i
+  %lsr.iv.i.i60 = phi i64 [ %lsr.iv.next.i.i61, %B74.if.i.i ], [ %139, %B74.if.preheader.i.i ]
+  %.19612851287.i.i = phi i64 [ %.203.3.i.i, %B74.if.i.i ], [ 0, %B74.if.preheader.i.i ]
+  %sunkaddr41.i.i = shl i64 %.19612851287.i.i, 3
+  %sunkaddr42.i.i = getelementptr i8, ptr %.1059.i, i64 %sunkaddr41.i.i
+  store <8 x double> zeroinitializer, ptr %sunkaddr42.i.i, align 8, !noalias !27
+  %sunkaddr44.i.i = getelementptr i8, ptr %.1125.i, i64 %sunkaddr41.i.i
+  store <8 x double> zeroinitializer, ptr %sunkaddr44.i.i, align 8, !noalias !27
+  %sunkaddr46.i.i = getelementptr i8, ptr %sunkaddr42.i.i, i64 64
+  store <8 x double> zeroinitializer, ptr %sunkaddr46.i.i, align 8, !noalias !27
+  %sunkaddr49.i.i = getelementptr i8, ptr %sunkaddr44.i.i, i64 64
+  store <8 x double> zeroinitializer, ptr %sunkaddr49.i.i, align 8, !noalias !27
+  %sunkaddr52.i.i = getelementptr i8, ptr %sunkaddr42.i.i, i64 128
+  store <8 x double> zeroinitializer, ptr %sunkaddr52.i.i, align 8, !noalias !27
+  %sunkaddr55.i.i = getelementptr i8, ptr %sunkaddr44.i.i, i64 128
+  store <8 x double> zeroinitializer, ptr %sunkaddr55.i.i, align 8, !noalias !27
+  %.203.3.i.i = add i64 %.19612851287.i.i, 32
+  %sunkaddr56.i.i = shl i64 %.203.3.i.i, 3
+  %sunkaddr57.i.i = getelementptr i8, ptr %.1059.i, i64 %sunkaddr56.i.i
+  %sunkaddr58.i.i = getelementptr i8, ptr %sunkaddr57.i.i, i64 -64
+  store <8 x double> zeroinitializer, ptr %sunkaddr58.i.i, align 8, !noalias !27
+  %sunkaddr60.i.i = getelementptr i8, ptr %.1125.i, i64 %sunkaddr56.i.i
+  %sunkaddr61.i.i = getelementptr i8, ptr %sunkaddr60.i.i, i64 -64
+  store <8 x double> zeroinitializer, ptr %sunkaddr61.i.i, align 8, !noalias !27
+  %lsr.iv.next.i.i61 = add i64 %lsr.iv.i.i60, 4
+  %niter.ncmp.3.not.i.i = icmp eq i64 %lsr.iv.next.i.i61, 0
+  br i1 %niter.ncmp.3.not.i.i, label %B200.loopexit.unr-lcssa.i.i, label %B74.if.i.i
 
-B34.if.i.i:                                       ; preds = %B34.if.preheader.new.i.i, %B34.if.i.i
-  %lsr.iv23.i.i57 = phi i64 [ %lsr.iv.next24.i.i58, %B34.if.i.i ], [ %155, %B34.if.preheader.new.i.i ]
-  %.182507509.i.i = phi i64 [ %.189.3.1.i.i, %B34.if.i.i ], [ 0, %B34.if.preheader.new.i.i ]
-  %sunkaddr64.i.i = shl i64 %.182507509.i.i, 3
-  %sunkaddr65.i.i = getelementptr i8, ptr %.1063.i, i64 %sunkaddr64.i.i
-  store double 0.000000e+00, ptr %sunkaddr65.i.i, align 8, !noalias !29
-  %sunkaddr67.i.i = getelementptr i8, ptr %.1129.i, i64 %sunkaddr64.i.i
-  store double 0.000000e+00, ptr %sunkaddr67.i.i, align 8, !noalias !29
-  %sunkaddr69.i.i = getelementptr i8, ptr %sunkaddr65.i.i, i64 8
-  store double 0.000000e+00, ptr %sunkaddr69.i.i, align 8, !noalias !29
-  %sunkaddr72.i.i = getelementptr i8, ptr %sunkaddr67.i.i, i64 8
-  store double 0.000000e+00, ptr %sunkaddr72.i.i, align 8, !noalias !29
-  %sunkaddr75.i.i = getelementptr i8, ptr %sunkaddr65.i.i, i64 16
-  store double 0.000000e+00, ptr %sunkaddr75.i.i, align 8, !noalias !29
-  %sunkaddr78.i.i = getelementptr i8, ptr %sunkaddr67.i.i, i64 16
-  store double 0.000000e+00, ptr %sunkaddr78.i.i, align 8, !noalias !29
-  %sunkaddr81.i.i = getelementptr i8, ptr %sunkaddr65.i.i, i64 24
-  store double 0.000000e+00, ptr %sunkaddr81.i.i, align 8, !noalias !29
-  %sunkaddr84.i.i = getelementptr i8, ptr %sunkaddr67.i.i, i64 24
-  store double 0.000000e+00, ptr %sunkaddr84.i.i, align 8, !noalias !29
-  %sunkaddr87.i.i = getelementptr i8, ptr %sunkaddr65.i.i, i64 32
-  store double 0.000000e+00, ptr %sunkaddr87.i.i, align 8, !noalias !29
-  %sunkaddr90.i.i = getelementptr i8, ptr %sunkaddr67.i.i, i64 32
-  store double 0.000000e+00, ptr %sunkaddr90.i.i, align 8, !noalias !29
-  %sunkaddr93.i.i = getelementptr i8, ptr %sunkaddr65.i.i, i64 40
-  store double 0.000000e+00, ptr %sunkaddr93.i.i, align 8, !noalias !29
-  %sunkaddr96.i.i = getelementptr i8, ptr %sunkaddr67.i.i, i64 40
-  store double 0.000000e+00, ptr %sunkaddr96.i.i, align 8, !noalias !29
-  %sunkaddr99.i.i = getelementptr i8, ptr %sunkaddr65.i.i, i64 48
-  store double 0.000000e+00, ptr %sunkaddr99.i.i, align 8, !noalias !29
-  %sunkaddr102.i.i = getelementptr i8, ptr %sunkaddr67.i.i, i64 48
-  store double 0.000000e+00, ptr %sunkaddr102.i.i, align 8, !noalias !29
-  %.189.3.1.i.i = add i64 %.182507509.i.i, 8
-  %sunkaddr103.i.i = shl i64 %.189.3.1.i.i, 3
-  %sunkaddr104.i.i = getelementptr i8, ptr %.1063.i, i64 %sunkaddr103.i.i
-  %sunkaddr106.i.i = getelementptr i8, ptr %sunkaddr104.i.i, i64 -8
-  store double 0.000000e+00, ptr %sunkaddr106.i.i, align 8, !noalias !29
-  %sunkaddr108.i.i = getelementptr i8, ptr %.1129.i, i64 %sunkaddr103.i.i
-  %sunkaddr109.i.i = getelementptr i8, ptr %sunkaddr108.i.i, i64 -8
-  store double 0.000000e+00, ptr %sunkaddr109.i.i, align 8, !noalias !29
-  %lsr.iv.next24.i.i58 = add i64 %lsr.iv23.i.i57, -2
-  %niter.ncmp.1.i.i = icmp eq i64 %lsr.iv.next24.i.i58, 0
-  br i1 %niter.ncmp.1.i.i, label %B60.loopexit.unr-lcssa.unr-lcssa.i.i, label %B34.if.i.i
+B298.if.i.i:                                      ; preds = %B200.i.i, %B1320.i.i
+  %lsr.iv615.i.i = phi ptr [ %scevgep616.i.i, %B1320.i.i ], [ %scevgep614.i.i, %B200.i.i ]
+  %lsr.iv605.i.i = phi ptr [ %scevgep606.i.i, %B1320.i.i ], [ %scevgep604.i.i, %B200.i.i ]
+  %.40313421415.i.i = phi i64 [ %.410.i.i62, %B1320.i.i ], [ 0, %B200.i.i ]
+  %.410.i.i62 = add nuw nsw i64 %.40313421415.i.i, 1
+  %154 = getelementptr i64, ptr %133, i64 %.40313421415.i.i
+  %.468.i.i63 = load i64, ptr %154, align 8, !noalias !27
+  %.470.i.i = icmp eq i64 %.468.i.i63, %.101311541204.i
+  br i1 %.470.i.i, label %B330.i.i, label %B1320.i.i
 
-B112.if.i.i:                                      ; preds = %B60.i.i, %B678.i.i
-  %lsr.iv13.i.i = phi ptr [ %scevgep14.i.i, %B678.i.i ], [ %146, %B60.i.i ]
-  %lsr.iv7.i.i = phi i64 [ %lsr.iv.next8.i.i, %B678.i.i ], [ 0, %B60.i.i ]
-  %.375520530.i.i = phi i64 [ %.382.i.i62, %B678.i.i ], [ 0, %B60.i.i ]
-  %.382.i.i62 = add nuw nsw i64 %.375520530.i.i, 1
-  %168 = getelementptr i64, ptr %145, i64 %.375520530.i.i
-  %.440.i.i = load i64, ptr %168, align 8, !noalias !29
-  %.442.i.i = icmp eq i64 %.440.i.i, %.101310761114.i
-  %or.cond.i.i = and i1 %162, %.442.i.i
-  br i1 %or.cond.i.i, label %B196.if.i.i, label %B678.i.i
+B426.if.i.i:                                      ; preds = %B330.i.i, %B426.if.i.i
+  %lsr.iv3.i.i80 = phi i64 [ %lsr.iv.next4.i.i, %B426.if.i.i ], [ %147, %B330.i.i ]
+  %lsr.iv595.i.i = phi i64 [ %lsr.iv.next596.i.i, %B426.if.i.i ], [ 0, %B330.i.i ]
+  %sunkaddr62.i.i = getelementptr i8, ptr %.1280.i, i64 %lsr.iv595.i.i
+  %.675.i.i81 = load <8 x double>, ptr %sunkaddr62.i.i, align 8, !noalias !27
+  %sunkaddr63.i.i = getelementptr i8, ptr %.1347.i, i64 %lsr.iv595.i.i
+  %.685.i.i = load <8 x double>, ptr %sunkaddr63.i.i, align 8, !noalias !27
+  %sunkaddr65.i.i = getelementptr i8, ptr %sunkaddr62.i.i, i64 8
+  %.696.i.i = load <8 x double>, ptr %sunkaddr65.i.i, align 8, !noalias !27
+  %sunkaddr67.i.i = getelementptr i8, ptr %sunkaddr63.i.i, i64 8
+  %.707.i.i = load <8 x double>, ptr %sunkaddr67.i.i, align 8, !noalias !27
+  %155 = shl i64 %lsr.iv595.i.i, 1
+  %scevgep607.i.i = getelementptr i8, ptr %lsr.iv605.i.i, i64 %155
+  %.744.i.i = load <16 x double>, ptr %scevgep607.i.i, align 8, !noalias !27
+  %.745.i.i82 = shufflevector <16 x double> %.744.i.i, <16 x double> poison, <8 x i32> <i32 0, i32 2, i32 4, i32 6, i32 8, i32 10, i32 12, i32 14>
+  %.746.i.i = shufflevector <16 x double> %.744.i.i, <16 x double> poison, <8 x i32> <i32 1, i32 3, i32 5, i32 7, i32 9, i32 11, i32 13, i32 15>
+  %scevgep609.i.i = getelementptr i8, ptr %scevgep607.i.i, i64 -16
+  %.759.i.i = load <16 x double>, ptr %scevgep609.i.i, align 8, !noalias !27
+  %.760.i.i83 = shufflevector <16 x double> %.759.i.i, <16 x double> poison, <8 x i32> <i32 0, i32 2, i32 4, i32 6, i32 8, i32 10, i32 12, i32 14>
+  %.761.i.i = shufflevector <16 x double> %.759.i.i, <16 x double> poison, <8 x i32> <i32 1, i32 3, i32 5, i32 7, i32 9, i32 11, i32 13, i32 15>
+  %.8.i.i.i84 = fsub contract <8 x double> zeroinitializer, %.761.i.i
+  %.6.i.i.i85 = fmul contract <8 x double> %.746.i.i, %.8.i.i.i84
+  %.8.i540.i.i = fsub contract <8 x double> zeroinitializer, %.6.i.i.i85
+  %.853.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.745.i.i82, <8 x double> %.760.i.i83, <8 x double> %.8.i540.i.i)
+  %.6.i541.i.i = fmul contract <8 x double> %.746.i.i, %.760.i.i83
+  %.878.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.745.i.i82, <8 x double> %.8.i.i.i84, <8 x double> %.6.i541.i.i)
+  %.8.i542.i.i = fsub contract <8 x double> zeroinitializer, %.707.i.i
+  %.6.i543.i.i = fmul contract <8 x double> %.685.i.i, %.8.i542.i.i
+  %.8.i544.i.i = fsub contract <8 x double> zeroinitializer, %.6.i543.i.i
+  %.972.i.i86 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.675.i.i81, <8 x double> %.696.i.i, <8 x double> %.8.i544.i.i)
+  %.6.i545.i.i = fmul contract <8 x double> %.685.i.i, %.696.i.i
+  %.997.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.675.i.i81, <8 x double> %.8.i542.i.i, <8 x double> %.6.i545.i.i)
+  %.6.i546.i.i = fmul contract <8 x double> %.997.i.i, %.878.i.i
+  %.8.i547.i.i = fsub contract <8 x double> zeroinitializer, %.6.i546.i.i
+  %.1067.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.853.i.i, <8 x double> %.972.i.i86, <8 x double> %.8.i547.i.i)
+  %.6.i548.i.i = fmul contract <8 x double> %.972.i.i86, %.878.i.i
+  %.1092.i.i87 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.853.i.i, <8 x double> %.997.i.i, <8 x double> %.6.i548.i.i)
+  %.8.i549.i.i = fsub contract <8 x double> zeroinitializer, %.1092.i.i87
+  %scevgep611.i.i = getelementptr i8, ptr %.1059.i, i64 %lsr.iv595.i.i
+  %.1154.i.i = load <8 x double>, ptr %scevgep611.i.i, align 8, !noalias !27
+  %.1155.i.i88 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i549.i.i, <8 x double> %.1092.i.i87, <8 x double> %.1154.i.i)
+  %.1156.i.i89 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1067.i.i, <8 x double> %.1067.i.i, <8 x double> %.1155.i.i88)
+  store <8 x double> %.1156.i.i89, ptr %scevgep611.i.i, align 8, !noalias !27
+  %.8.i550.i.i = fmul contract <8 x double> %.1067.i.i, splat (double 2.000000e+00)
+  %scevgep610.i.i = getelementptr i8, ptr %.1125.i, i64 %lsr.iv595.i.i
+  %.1200.i.i = load <8 x double>, ptr %scevgep610.i.i, align 8, !noalias !27
+  %.1201.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i550.i.i, <8 x double> %.1092.i.i87, <8 x double> %.1200.i.i)
+  store <8 x double> %.1201.i.i, ptr %scevgep610.i.i, align 8, !noalias !27
+  %lsr.iv.next596.i.i = add nuw i64 %lsr.iv595.i.i, 64
+  %lsr.iv.next4.i.i = add nsw i64 %lsr.iv3.i.i80, -1
+  %.628.i.i = icmp sgt i64 %lsr.iv3.i.i80, 5
+  br i1 %.628.i.i, label %B426.if.i.i, label %B912.i.i
 
-B196.if.i.i:                                      ; preds = %B112.if.i.i, %B196.if.i.i
-  %lsr.iv3.i.i77 = phi i64 [ %lsr.iv.next4.i.i, %B196.if.i.i ], [ 0, %B112.if.i.i ]
-  %lsr.iv.i.i78 = phi i64 [ %lsr.iv.next.i.i99, %B196.if.i.i ], [ %158, %B112.if.i.i ]
-  %sunkaddr110.i.i = shl i64 %lsr.iv3.i.i77, 2
-  %sunkaddr111.i.i = getelementptr i8, ptr %.1214.i56, i64 %sunkaddr110.i.i
-  %sunkaddr112.i.i = getelementptr i8, ptr %sunkaddr111.i.i, i64 8
-  %.602.i.i = load double, ptr %sunkaddr112.i.i, align 8, !noalias !29
-  %.632.i.i = load double, ptr %sunkaddr111.i.i, align 8, !noalias !29
-  %.633.i.i = fmul contract double %.602.i.i, %.632.i.i
-  %sunkaddr116.i.i = getelementptr i8, ptr %.1282.i, i64 %sunkaddr110.i.i
-  %sunkaddr117.i.i = getelementptr i8, ptr %sunkaddr116.i.i, i64 8
-  %.664.i.i = load double, ptr %sunkaddr117.i.i, align 8, !noalias !29
-  %.694.i.i = load double, ptr %sunkaddr116.i.i, align 8, !noalias !29
-  %.695.i.i = fmul contract double %.664.i.i, %.694.i.i
-  %.696.i.i = fadd contract double %.633.i.i, %.695.i.i
-  %.758.i.i = fmul contract double %.602.i.i, %.694.i.i
-  %.820.i.i = fmul contract double %.632.i.i, %.664.i.i
-  %.821.i.i79 = fsub contract double %.758.i.i, %.820.i.i
-  %169 = add i64 %lsr.iv3.i.i77, %lsr.iv7.i.i
-  %.839.i.i = icmp slt i64 %169, -2
-  %170 = shl i64 %lsr.iv3.i.i77, 3
-  %171 = select i1 %.839.i.i, i64 %160, i64 16
-  %scevgep39.i.i80 = getelementptr i8, ptr %lsr.iv13.i.i, i64 %171
-  %scevgep40.i.i = getelementptr i8, ptr %scevgep39.i.i80, i64 %170
-  %.855.i.i = load double, ptr %scevgep40.i.i, align 8, !noalias !29
-  %.873.i.i = icmp slt i64 %169, -3
-  %172 = select i1 %.873.i.i, i64 %161, i64 24
-  %scevgep37.i.i = getelementptr i8, ptr %lsr.iv13.i.i, i64 %172
-  %scevgep22.i.i = getelementptr i8, ptr %scevgep37.i.i, i64 %170
-  %.889.i.i = load double, ptr %scevgep22.i.i, align 8, !noalias !29
-  %.906.i.i = icmp slt i64 %169, 0
-  %173 = select i1 %.906.i.i, i64 %163, i64 8
-  %scevgep19.i.i81 = getelementptr i8, ptr %lsr.iv13.i.i, i64 %173
-  %scevgep20.i.i = getelementptr i8, ptr %scevgep19.i.i81, i64 %170
-  %scevgep21.i.i82 = getelementptr i8, ptr %scevgep20.i.i, i64 -8
-  %.922.i.i83 = load double, ptr %scevgep21.i.i82, align 8, !noalias !29
-  %.956.i.i84 = load double, ptr %scevgep20.i.i, align 8, !noalias !29
-  %.957.i.i85 = fmul contract double %.855.i.i, %.922.i.i83
-  %.958.i.i = fmul contract double %.889.i.i, %.956.i.i84
-  %.959.i.i86 = fadd contract double %.957.i.i85, %.958.i.i
-  %.960.i.i87 = fmul contract double %.889.i.i, %.922.i.i83
-  %.961.i.i = fmul contract double %.855.i.i, %.956.i.i84
-  %.962.i.i88 = fsub contract double %.960.i.i87, %.961.i.i
-  %.963.i.i = fmul contract double %.696.i.i, %.959.i.i86
-  %.964.i.i89 = fmul contract double %.821.i.i79, %.962.i.i88
-  %.965.i.i90 = fsub contract double %.963.i.i, %.964.i.i89
-  %.966.i.i91 = fmul contract double %.821.i.i79, %.959.i.i86
-  %.967.i.i92 = fmul contract double %.696.i.i, %.962.i.i88
-  %.968.i.i = fadd contract double %.966.i.i91, %.967.i.i92
-  %scevgep5.i.i = getelementptr i8, ptr %.1063.i, i64 %sunkaddr110.i.i
-  %.998.i.i93 = load double, ptr %scevgep5.i.i, align 8, !noalias !29
-  %.999.i.i = fmul contract double %.965.i.i90, %.965.i.i90
-  %.1000.i.i94 = fmul contract double %.968.i.i, %.968.i.i
-  %.1001.i.i = fsub contract double %.999.i.i, %.1000.i.i94
-  %.1002.i.i = fadd contract double %.998.i.i93, %.1001.i.i
-  store double %.1002.i.i, ptr %scevgep5.i.i, align 8, !noalias !29
-  %scevgep4.i.i95 = getelementptr i8, ptr %.1129.i, i64 %sunkaddr110.i.i
-  %.1062.i.i96 = load double, ptr %scevgep4.i.i95, align 8, !noalias !29
-  %.1063.i.i97 = fmul contract double %.965.i.i90, 2.000000e+00
-  %.1064.i.i98 = fmul contract double %.968.i.i, %.1063.i.i97
-  %.1065.i.i = fadd contract double %.1062.i.i96, %.1064.i.i98
-  store double %.1065.i.i, ptr %scevgep4.i.i95, align 8, !noalias !29
-  %lsr.iv.next.i.i99 = add nsw i64 %lsr.iv.i.i78, -1
-  %lsr.iv.next4.i.i = add nuw i64 %lsr.iv3.i.i77, 2
-  %exitcond543.not.i.i = icmp eq i64 %lsr.iv.next.i.i99, 0
-  br i1 %exitcond543.not.i.i, label %B678.i.i, label %B196.if.i.i
+B944.if.i.i:                                      ; preds = %B912.i.i, %B944.if.i.i
+  %lsr.iv13.i.i = phi i64 [ %lsr.iv.next14.i.i, %B944.if.i.i ], [ %148, %B912.i.i ]
+  %lsr.iv617.i.i = phi ptr [ %scevgep618.i.i, %B944.if.i.i ], [ %lsr.iv615.i.i, %B912.i.i ]
+  %.130413221324.i.i = phi i64 [ %.1311.i.i, %B944.if.i.i ], [ %.303.i.i, %B912.i.i ]
+  %.1311.i.i = add nuw nsw i64 %.130413221324.i.i, 1
+  %scevgep620.i.i = getelementptr i8, ptr %lsr.iv617.i.i, i64 -24
+  %scevgep619.i.i = getelementptr i8, ptr %lsr.iv617.i.i, i64 -8
+  %.1346.i.i = load double, ptr %scevgep619.i.i, align 8, !noalias !27
+  %.1357.i.i = load double, ptr %lsr.iv617.i.i, align 8, !noalias !27
+  %.1371.i.i = load double, ptr %scevgep620.i.i, align 8, !noalias !27
+  %scevgep621.i.i = getelementptr i8, ptr %lsr.iv617.i.i, i64 -16
+  %.1382.i.i74 = load double, ptr %scevgep621.i.i, align 8, !noalias !27
+  %.1405.i.i = icmp slt i64 %.130413221324.i.i, 0
+  %156 = select i1 %.1405.i.i, i64 %145, i64 0
+  %scevgep628.i.i = getelementptr i8, ptr %.1280.i, i64 %156
+  %157 = shl i64 %.130413221324.i.i, 3
+  %scevgep629.i.i = getelementptr i8, ptr %scevgep628.i.i, i64 %157
+  %.1421.i.i = load double, ptr %scevgep629.i.i, align 8, !noalias !27
+  %scevgep626.i.i = getelementptr i8, ptr %.1347.i, i64 %156
+  %scevgep627.i.i = getelementptr i8, ptr %scevgep626.i.i, i64 %157
+  %.1451.i.i = load double, ptr %scevgep627.i.i, align 8, !noalias !27
+  %.1466.i.i = icmp slt i64 %.130413221324.i.i, -1
+  %158 = select i1 %.1466.i.i, i64 %146, i64 8
+  %scevgep17.i.i = getelementptr i8, ptr %.1280.i, i64 %158
+  %scevgep24.i.i75 = getelementptr i8, ptr %scevgep17.i.i, i64 %157
+  %.1482.i.i = load double, ptr %scevgep24.i.i75, align 8, !noalias !27
+  %scevgep15.i.i = getelementptr i8, ptr %.1347.i, i64 %158
+  %scevgep19.i.i76 = getelementptr i8, ptr %scevgep15.i.i, i64 %157
+  %.1513.i.i = load double, ptr %scevgep19.i.i76, align 8, !noalias !27
+  %.1531.i.i = fsub contract double 0.000000e+00, %.1382.i.i74
+  %.1532.i.i = fmul contract double %.1357.i.i, %.1531.i.i
+  %.1533.i.i = fsub contract double 0.000000e+00, %.1532.i.i
+  %.1534.i.i = tail call contract double @llvm.fma.f64(double %.1346.i.i, double %.1371.i.i, double %.1533.i.i)
+  %.1535.i.i = fmul contract double %.1357.i.i, %.1371.i.i
+  %.1536.i.i = tail call contract double @llvm.fma.f64(double %.1346.i.i, double %.1531.i.i, double %.1535.i.i)
+  %.1558.i.i = fsub contract double 0.000000e+00, %.1513.i.i
+  %.1559.i.i = fmul contract double %.1451.i.i, %.1558.i.i
+  %.1560.i.i = fsub contract double 0.000000e+00, %.1559.i.i
+  %.1561.i.i = tail call contract double @llvm.fma.f64(double %.1421.i.i, double %.1482.i.i, double %.1560.i.i)
+  %.1562.i.i = fmul contract double %.1451.i.i, %.1482.i.i
+  %.1563.i.i = tail call contract double @llvm.fma.f64(double %.1421.i.i, double %.1558.i.i, double %.1562.i.i)
+  %.1585.i.i = fmul contract double %.1536.i.i, %.1563.i.i
+  %.1586.i.i = fsub contract double 0.000000e+00, %.1585.i.i
+  %.1587.i.i = tail call contract double @llvm.fma.f64(double %.1534.i.i, double %.1561.i.i, double %.1586.i.i)
+  %.1588.i.i = fmul contract double %.1536.i.i, %.1561.i.i
+  %.1589.i.i = tail call contract double @llvm.fma.f64(double %.1534.i.i, double %.1563.i.i, double %.1588.i.i)
+  %scevgep624.i.i = getelementptr i8, ptr %.1059.i, i64 %156
+  %scevgep18.i.i = getelementptr i8, ptr %scevgep624.i.i, i64 %157
+  %.1647.i.i77 = load double, ptr %scevgep18.i.i, align 8, !noalias !27
+  %.1648.i.i78 = fmul contract double %.1587.i.i, %.1587.i.i
+  %.1649.i.i = fmul contract double %.1589.i.i, %.1589.i.i
+  %.1650.i.i = fsub contract double %.1648.i.i78, %.1649.i.i
+  %.1651.i.i79 = fadd contract double %.1647.i.i77, %.1650.i.i
+  store double %.1651.i.i79, ptr %scevgep18.i.i, align 8, !noalias !27
+  %scevgep622.i.i = getelementptr i8, ptr %.1125.i, i64 %156
+  %scevgep16.i.i = getelementptr i8, ptr %scevgep622.i.i, i64 %157
+  %.1711.i.i = load double, ptr %scevgep16.i.i, align 8, !noalias !27
+  %.1712.i.i = fmul contract double %.1587.i.i, 2.000000e+00
+  %.1713.i.i = fmul contract double %.1712.i.i, %.1589.i.i
+  %.1714.i.i = fadd contract double %.1711.i.i, %.1713.i.i
+  store double %.1714.i.i, ptr %scevgep16.i.i, align 8, !noalias !27
+  %scevgep618.i.i = getelementptr i8, ptr %lsr.iv617.i.i, i64 16
+  %lsr.iv.next14.i.i = add nsw i64 %lsr.iv13.i.i, -1
+  %.1298.i.i = icmp sgt i64 %lsr.iv13.i.i, 5
+  br i1 %.1298.i.i, label %B944.if.i.i, label %B1320.i.i
 
-B718.if.i.i:                                      ; preds = %B682.i.i, %B718.if.i.i
-  %.1219537539.i.i = phi i64 [ %.1226.i.i68, %B718.if.i.i ], [ 0, %B682.i.i ]
-  %.1226.i.i68 = add nuw nsw i64 %.1219537539.i.i, 1
-  %174 = shl i64 %.1219537539.i.i, 3
-  %scevgep2.i.i = getelementptr i8, ptr %.1063.i, i64 %174
-  %.1281.i.i = load double, ptr %scevgep2.i.i, align 8, !noalias !29
-  %scevgep.i.i69 = getelementptr i8, ptr %.1129.i, i64 %174
-  %.1311.i.i = load double, ptr %scevgep.i.i69, align 8, !noalias !29
-  %.1312.i.i = fmul contract double %.1281.i.i, %.1281.i.i
-  %.1313.i.i = fmul contract double %.1311.i.i, %.1311.i.i
-  %.1314.i.i70 = fadd contract double %.1312.i.i, %.1313.i.i
-  %.1315.i.i = tail call contract double @llvm.sqrt.f64(double %.1314.i.i70)
-  %.1316.i.i = fadd contract double %.1281.i.i, %.1315.i.i
-  %.1317.i.i = fadd contract double %.1316.i.i, 1.000000e-300
-  %.1321.i.i71 = fdiv contract double %.1311.i.i, %.1317.i.i
-  %.1322.i.i = fmul contract double %.1321.i.i71, %.1321.i.i71
-  %.1323.i.i = fadd contract double %.1322.i.i, 1.000000e+00
-  %.1324.i.i = tail call contract double @llvm.sqrt.f64(double %.1323.i.i)
-  %.1325.i.i = fadd contract double %.1324.i.i, 1.000000e+00
-  %.1329.i.i = fdiv contract double %.1321.i.i71, %.1325.i.i
-  %.1330.i.i = fmul contract double %.1329.i.i, %.1329.i.i
-  %.1331.i.i = fmul contract double %.1330.i.i, 0x3F677AE9349F5F7A
-  %.1332.i.i = fadd contract double %.1331.i.i, 0xBF908DC039C4DC63
-  %.1333.i.i = fmul contract double %.1330.i.i, %.1332.i.i
-  %.1334.i.i = fadd contract double %.1333.i.i, 0x3FA5F83FB7E8F47D
-  %.1335.i.i = fmul contract double %.1330.i.i, %.1334.i.i
-  %.1336.i.i = fadd contract double %.1335.i.i, 0xBFB3462E8D8711AD
-  %.1337.i.i = fmul contract double %.1330.i.i, %.1336.i.i
-  %.1338.i.i = fadd contract double %.1337.i.i, 0x3FBB47B06AC4D989
-  %.1339.i.i = fmul contract double %.1330.i.i, %.1338.i.i
-  %.1340.i.i72 = fadd contract double %.1339.i.i, 0xBFC22FF8E008E644
-  %.1341.i.i73 = fmul contract double %.1330.i.i, %.1340.i.i72
-  %.1342.i.i74 = fadd contract double %.1341.i.i73, 0x3FC9977C9B288755
-  %.1343.i.i75 = fmul contract double %.1330.i.i, %.1342.i.i74
-  %.1344.i.i76 = fadd contract double %.1343.i.i75, 0xBFD5554D72204448
-  %.1345.i.i = fmul contract double %.1330.i.i, %.1344.i.i76
-  %.1346.i.i = fadd contract double %.1345.i.i, 1.000000e+00
-  %.1347.i.i = fmul contract double %.1329.i.i, 2.000000e+00
-  %.1348.i.i = fmul contract double %.1347.i.i, %.1346.i.i
-  store double %.1348.i.i, ptr %scevgep.i.i69, align 8, !noalias !29
-  %exitcond545.not.i.i = icmp eq i64 %..1133.i.i, %.1226.i.i68
-  br i1 %exitcond545.not.i.i, label %_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v72B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B718.if.i.i
+B1368.if.i.i:                                     ; preds = %B1324.i.i, %B1368.if.i.i
+  %lsr.iv1.i.i65 = phi i64 [ %lsr.iv.next2.i.i68, %B1368.if.i.i ], [ %151, %B1324.i.i ]
+  %lsr.iv589.i.i = phi i64 [ %lsr.iv.next590.i.i, %B1368.if.i.i ], [ 0, %B1324.i.i ]
+  %scevgep591.i.i = getelementptr i8, ptr %.1059.i, i64 %lsr.iv589.i.i
+  %.1920.i.i = load <8 x double>, ptr %scevgep591.i.i, align 8, !noalias !27
+  %scevgep.i.i66 = getelementptr i8, ptr %.1125.i, i64 %lsr.iv589.i.i
+  %.1930.i.i = load <8 x double>, ptr %scevgep.i.i66, align 8, !noalias !27
+  %.6.i551.i.i = fmul contract <8 x double> %.1920.i.i, %.1920.i.i
+  %.6.i552.i.i = fmul contract <8 x double> %.1930.i.i, %.1930.i.i
+  %.6.i553.i.i = fadd contract <8 x double> %.6.i551.i.i, %.6.i552.i.i
+  %.2003.i.i67 = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %.6.i553.i.i)
+  %.6.i554.i.i = fadd contract <8 x double> %.1920.i.i, %.2003.i.i67
+  %.8.i555.i.i = fadd contract <8 x double> %.6.i554.i.i, splat (double 1.000000e-300)
+  %.6.i556.i.i = fdiv contract <8 x double> %.1930.i.i, %.8.i555.i.i
+  %.6.i557.i.i = fmul contract <8 x double> %.6.i556.i.i, %.6.i556.i.i
+  %.8.i558.i.i = fadd contract <8 x double> %.6.i557.i.i, splat (double 1.000000e+00)
+  %.2124.i.i = tail call <8 x double> @llvm.sqrt.v8f64(<8 x double> %.8.i558.i.i)
+  %.8.i559.i.i = fadd contract <8 x double> %.2124.i.i, splat (double 1.000000e+00)
+  %.6.i560.i.i = fdiv contract <8 x double> %.6.i556.i.i, %.8.i559.i.i
+  %.6.i561.i.i = fmul contract <8 x double> %.6.i560.i.i, %.6.i560.i.i
+  %.8.i562.i.i = fmul contract <8 x double> %.6.i561.i.i, splat (double 0x3F677AE9349F5F7A)
+  %.8.i563.i.i = fadd contract <8 x double> %.8.i562.i.i, splat (double 0xBF908DC039C4DC63)
+  %.6.i564.i.i = fmul contract <8 x double> %.6.i561.i.i, %.8.i563.i.i
+  %.8.i565.i.i = fadd contract <8 x double> %.6.i564.i.i, splat (double 0x3FA5F83FB7E8F47D)
+  %.6.i566.i.i = fmul contract <8 x double> %.6.i561.i.i, %.8.i565.i.i
+  %.8.i567.i.i = fadd contract <8 x double> %.6.i566.i.i, splat (double 0xBFB3462E8D8711AD)
+  %.6.i568.i.i = fmul contract <8 x double> %.6.i561.i.i, %.8.i567.i.i
+  %.8.i569.i.i = fadd contract <8 x double> %.6.i568.i.i, splat (double 0x3FBB47B06AC4D989)
+  %.6.i570.i.i = fmul contract <8 x double> %.6.i561.i.i, %.8.i569.i.i
+  %.8.i571.i.i = fadd contract <8 x double> %.6.i570.i.i, splat (double 0xBFC22FF8E008E644)
+  %.6.i572.i.i = fmul contract <8 x double> %.6.i561.i.i, %.8.i571.i.i
+  %.8.i573.i.i = fadd contract <8 x double> %.6.i572.i.i, splat (double 0x3FC9977C9B288755)
+  %.6.i574.i.i = fmul contract <8 x double> %.6.i561.i.i, %.8.i573.i.i
+  %.8.i575.i.i = fadd contract <8 x double> %.6.i574.i.i, splat (double 0xBFD5554D72204448)
+  %.6.i576.i.i = fmul contract <8 x double> %.6.i561.i.i, %.8.i575.i.i
+  %.8.i577.i.i = fadd contract <8 x double> %.6.i576.i.i, splat (double 1.000000e+00)
+  %.8.i578.i.i = fmul contract <8 x double> %.6.i560.i.i, splat (double 2.000000e+00)
+  %.6.i579.i.i = fmul contract <8 x double> %.8.i578.i.i, %.8.i577.i.i
+  store <8 x double> %.6.i579.i.i, ptr %scevgep.i.i66, align 8, !noalias !27
+  %lsr.iv.next590.i.i = add i64 %lsr.iv589.i.i, 64
+  %lsr.iv.next2.i.i68 = add nsw i64 %lsr.iv1.i.i65, -1
+  %.1872.i.i = icmp sgt i64 %lsr.iv1.i.i65, 5
+  br i1 %.1872.i.i, label %B1368.if.i.i, label %_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v73B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v72B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B718.if.i.i, %B682.i.i
-  store double 0.000000e+00, ptr %.1421.i.i, align 8, !noalias !29
-  %.1404.i = icmp slt i64 %.1051.i, 0
-  %.1405.i = select i1 %.1404.i, i64 %.640.i, i64 0
-  %175 = getelementptr double, ptr %133, i64 %.1051.i
-  %.1419.i = getelementptr double, ptr %175, i64 %.1405.i
-  %.1420.i = load double, ptr %.1419.i, align 8, !noalias !24
-  %.1450.i = load double, ptr %sunkaddr31.i, align 8, !noalias !24
-  %.1480.i = load double, ptr %.1129.i, align 8, !noalias !24
-  %.1481.i = fmul contract double %.1450.i, %.1480.i
-  %.1482.i = fsub contract double %.1420.i, %.1481.i
-  store double %.1482.i, ptr %.1063.i, align 8, !noalias !24
-  br i1 %148, label %B1206.i, label %B1088.if.i
+_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v73B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1368.if.i.i, %B1324.i.i
+  br i1 %.146.i.i54, label %B1398.if.i, label %B1160.peel.i
 
-B1088.if.i:                                       ; preds = %_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v72B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B1088.if.i
-  %lsr.iv.i63 = phi i64 [ %lsr.iv.next.i66, %B1088.if.i ], [ 0, %_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v72B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %176 = add i64 %lsr.iv.i63, %lsr.iv195.i
-  %.1648.i = icmp slt i64 %176, 0
-  %177 = select i1 %.1648.i, i64 %143, i64 0
-  %scevgep193.i = getelementptr i8, ptr %lsr.iv191.i, i64 %177
-  %178 = shl i64 %lsr.iv.i63, 3
-  %scevgep194.i = getelementptr i8, ptr %scevgep193.i, i64 %178
-  %.1664.i = load double, ptr %scevgep194.i, align 8, !noalias !24
-  %sunkaddr32.i = getelementptr i8, ptr %132, i64 %178
-  %sunkaddr33.i = getelementptr i8, ptr %sunkaddr32.i, i64 8
-  %.1694.i = load double, ptr %sunkaddr33.i, align 8, !noalias !24
-  %scevgep20.i = getelementptr i8, ptr %scevgep185.i, i64 %178
-  %scevgep21.i64 = getelementptr i8, ptr %scevgep20.i, i64 -8
-  %.1725.i = load double, ptr %scevgep21.i64, align 8, !noalias !24
-  %.1726.i = fmul contract double %.1694.i, %.1725.i
-  %scevgep12.i = getelementptr i8, ptr %scevgep183.i, i64 %178
-  %.1756.i = load double, ptr %scevgep12.i, align 8, !noalias !24
-  %.1786.i = load double, ptr %scevgep20.i, align 8, !noalias !24
-  %.1787.i = fmul contract double %.1756.i, %.1786.i
-  %.1788.i = fadd contract double %.1726.i, %.1787.i
-  %.1789.i = fsub contract double %.1664.i, %.1788.i
-  %scevgep11.i65 = getelementptr i8, ptr %lsr.iv180.i, i64 %178
-  store double %.1789.i, ptr %scevgep11.i65, align 8, !noalias !24
-  %lsr.iv.next.i66 = add nuw nsw i64 %lsr.iv.i63, 1
-  %exitcond.not.i67 = icmp eq i64 %.1550.i, %lsr.iv.next.i66
-  br i1 %exitcond.not.i67, label %B1206.i, label %B1088.if.i
+B1160.peel.i:                                     ; preds = %_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v73B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.1610.peel.i = load <8 x double>, ptr %.733.i, align 8, !noalias !24
+  %.1621.peel.i = load <8 x double>, ptr %sunkaddr8.i, align 8, !noalias !24
+  %.1632.peel.i = load <8 x double>, ptr %.1125.i, align 8, !noalias !24
+  %.6.i.i69 = fmul contract <8 x double> %.1621.peel.i, %.1632.peel.i
+  %.1657.peel.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1610.peel.i, <8 x double> zeroinitializer, <8 x double> %.6.i.i69)
+  %sunkaddr253.i = shl i64 %.1047.i, 3
+  %sunkaddr254.i = getelementptr inbounds i8, ptr %126, i64 %sunkaddr253.i
+  %.1668.peel.i = load <8 x double>, ptr %sunkaddr254.i, align 8, !noalias !24
+  %.6.i118.i = fsub contract <8 x double> %.1668.peel.i, %.1657.peel.i
+  store <8 x double> %.6.i118.i, ptr %.1059.i, align 8, !noalias !24
+  br i1 %152, label %B1078.if.i, label %B1398.if.i
 
-B1238.if.i:                                       ; preds = %B1238.if.i, %B1238.if.preheader179.i
-  %lsr.iv202.i = phi i64 [ %131, %B1238.if.preheader179.i ], [ %lsr.iv.next203.i, %B1238.if.i ]
-  %.191910651067.i = phi i64 [ %.191910651067.unr.i, %B1238.if.preheader179.i ], [ %187, %B1238.if.i ]
-  %.1964.i = icmp slt i64 %.191910651067.i, 0
-  %179 = select i1 %.1964.i, i64 %sunkaddr217.i, i64 0
-  %scevgep212.i = getelementptr i8, ptr %lsr.iv204.i, i64 %179
-  %180 = shl i64 %.191910651067.i, 3
-  %scevgep213.i = getelementptr i8, ptr %scevgep212.i, i64 %180
-  store double 0.000000e+00, ptr %scevgep213.i, align 8, !noalias !24
-  %181 = add i64 %.191910651067.i, 1
-  %.1964.1.i = icmp slt i64 %181, 0
-  %182 = select i1 %.1964.1.i, i64 %sunkaddr217.i, i64 0
-  %scevgep214.i = getelementptr i8, ptr %lsr.iv204.i, i64 %182
-  %scevgep29.i = getelementptr i8, ptr %scevgep214.i, i64 %180
-  %scevgep30.i = getelementptr i8, ptr %scevgep29.i, i64 8
-  store double 0.000000e+00, ptr %scevgep30.i, align 8, !noalias !24
-  %183 = add i64 %.191910651067.i, 2
-  %.1964.2.i = icmp slt i64 %183, 0
-  %184 = select i1 %.1964.2.i, i64 %sunkaddr217.i, i64 0
-  %scevgep209.i = getelementptr i8, ptr %lsr.iv204.i, i64 %184
-  %scevgep27.i = getelementptr i8, ptr %scevgep209.i, i64 %180
-  %scevgep28.i = getelementptr i8, ptr %scevgep27.i, i64 16
-  store double 0.000000e+00, ptr %scevgep28.i, align 8, !noalias !24
-  %185 = add i64 %.191910651067.i, 3
-  %.1964.3.i = icmp slt i64 %185, 0
-  %186 = select i1 %.1964.3.i, i64 %sunkaddr217.i, i64 0
-  %scevgep206.i = getelementptr i8, ptr %lsr.iv204.i, i64 %186
-  %scevgep25.i = getelementptr i8, ptr %scevgep206.i, i64 %180
-  %scevgep26.i = getelementptr i8, ptr %scevgep25.i, i64 24
-  store double 0.000000e+00, ptr %scevgep26.i, align 8, !noalias !24
-  %lsr.iv.next203.i = add i64 %lsr.iv202.i, -4
-  %.1913.3.i = icmp sgt i64 %lsr.iv.next203.i, 4
-  %187 = add i64 %.191910651067.i, 4
-  br i1 %.1913.3.i, label %B1238.if.i, label %B1254.i
+B1078.if.i:                                       ; preds = %B1160.peel.i, %B1078.if.i
+  %lsr.iv.i71 = phi i64 [ %lsr.iv.next.i73, %B1078.if.i ], [ %131, %B1160.peel.i ]
+  %lsr.iv239.i = phi i64 [ %lsr.iv.next240.i, %B1078.if.i ], [ 64, %B1160.peel.i ]
+  %scevgep.i72 = getelementptr i8, ptr %.1125.i, i64 %lsr.iv239.i
+  %scevgep241.i = getelementptr i8, ptr %scevgep.i72, i64 -8
+  %.1587.i = load <8 x double>, ptr %scevgep241.i, align 8, !noalias !24
+  %scevgep249.i = getelementptr i8, ptr %.733.i, i64 %lsr.iv239.i
+  %.1610.i = load <8 x double>, ptr %scevgep249.i, align 8, !noalias !24
+  %scevgep248.i = getelementptr i8, ptr %.858.i, i64 %lsr.iv239.i
+  %.1621.i = load <8 x double>, ptr %scevgep248.i, align 8, !noalias !24
+  %.1632.i = load <8 x double>, ptr %scevgep.i72, align 8, !noalias !24
+  %.6.i119.i = fmul contract <8 x double> %.1621.i, %.1632.i
+  %.1657.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1610.i, <8 x double> %.1587.i, <8 x double> %.6.i119.i)
+  %scevgep247.i = getelementptr i8, ptr %lsr.iv245.i, i64 %lsr.iv239.i
+  %.1668.i = load <8 x double>, ptr %scevgep247.i, align 8, !noalias !24
+  %.6.i120.i = fsub contract <8 x double> %.1668.i, %.1657.i
+  %scevgep244.i = getelementptr i8, ptr %lsr.iv242.i, i64 %lsr.iv239.i
+  store <8 x double> %.6.i120.i, ptr %scevgep244.i, align 8, !noalias !24
+  %lsr.iv.next240.i = add nuw i64 %lsr.iv239.i, 64
+  %lsr.iv.next.i73 = add nsw i64 %lsr.iv.i71, -1
+  %.1532.i = icmp sgt i64 %lsr.iv.i71, 5
+  br i1 %.1532.i, label %B1078.if.i, label %B1398.if.i, !llvm.loop !32
 
-_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B1254.i, %B288.i, %_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B1398.if.i:                                       ; preds = %B1078.if.i, %B1160.peel.i, %_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v73B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %sunkaddr256.i = shl i64 %.1047.i, 3
+  %sunkaddr257.i = getelementptr i8, ptr %126, i64 %sunkaddr256.i
+  %sunkaddr258.i = getelementptr i8, ptr %sunkaddr257.i, i64 8
+  %.1857.i = load double, ptr %sunkaddr258.i, align 8, !noalias !24
+  %.1887.i = load double, ptr %sunkaddr10.i, align 8, !noalias !24
+  %.1918.i = load double, ptr %.1125.i, align 8, !noalias !24
+  %.1919.i = fmul contract double %.1887.i, %.1918.i
+  %.1949.i = load double, ptr %sunkaddr11.i, align 8, !noalias !24
+  %.1979.i = load double, ptr %sunkaddr12.i, align 8, !noalias !24
+  %.1980.i = fmul contract double %.1949.i, %.1979.i
+  %.1981.i = fadd contract double %.1919.i, %.1980.i
+  %.1982.i = fsub contract double %.1857.i, %.1981.i
+  %159 = getelementptr i8, ptr %.1059.i, i64 8
+  store double %.1982.i, ptr %159, align 8, !noalias !24
+  %sunkaddr266.i = getelementptr i8, ptr %sunkaddr257.i, i64 16
+  %.1857.1.i = load double, ptr %sunkaddr266.i, align 8, !noalias !24
+  %.1887.1.i = load double, ptr %sunkaddr15.i, align 8, !noalias !24
+  %.1918.1.i = load double, ptr %sunkaddr12.i, align 8, !noalias !24
+  %.1919.1.i = fmul contract double %.1887.1.i, %.1918.1.i
+  %.1949.1.i = load double, ptr %sunkaddr16.i, align 8, !noalias !24
+  %.1979.1.i = load double, ptr %sunkaddr17.i, align 8, !noalias !24
+  %.1980.1.i = fmul contract double %.1949.1.i, %.1979.1.i
+  %.1981.1.i = fadd contract double %.1919.1.i, %.1980.1.i
+  %.1982.1.i = fsub contract double %.1857.1.i, %.1981.1.i
+  %160 = getelementptr i8, ptr %.1059.i, i64 16
+  store double %.1982.1.i, ptr %160, align 8, !noalias !24
+  %sunkaddr274.i = getelementptr i8, ptr %sunkaddr257.i, i64 24
+  %.1857.2.i = load double, ptr %sunkaddr274.i, align 8, !noalias !24
+  %.1887.2.i = load double, ptr %sunkaddr23.i, align 8, !noalias !24
+  %.1918.2.i = load double, ptr %sunkaddr17.i, align 8, !noalias !24
+  %.1919.2.i = fmul contract double %.1887.2.i, %.1918.2.i
+  %.1949.2.i = load double, ptr %sunkaddr27.i56, align 8, !noalias !24
+  %.1979.2.i = load double, ptr %sunkaddr31.i, align 8, !noalias !24
+  %.1980.2.i = fmul contract double %.1949.2.i, %.1979.2.i
+  %.1981.2.i = fadd contract double %.1919.2.i, %.1980.2.i
+  %.1982.2.i = fsub contract double %.1857.2.i, %.1981.2.i
+  %161 = getelementptr i8, ptr %.1059.i, i64 24
+  store double %.1982.2.i, ptr %161, align 8, !noalias !24
+  %sunkaddr282.i = getelementptr i8, ptr %sunkaddr257.i, i64 32
+  %.1857.3.i = load double, ptr %sunkaddr282.i, align 8, !noalias !24
+  %.1887.3.i = load double, ptr %sunkaddr39.i, align 8, !noalias !24
+  %.1918.3.i = load double, ptr %sunkaddr31.i, align 8, !noalias !24
+  %.1919.3.i = fmul contract double %.1887.3.i, %.1918.3.i
+  %.1949.3.i = load double, ptr %sunkaddr40.i, align 8, !noalias !24
+  %.1979.3.i = load double, ptr %sunkaddr41.i, align 8, !noalias !24
+  %.1980.3.i = fmul contract double %.1949.3.i, %.1979.3.i
+  %.1981.3.i = fadd contract double %.1919.3.i, %.1980.3.i
+  %.1982.3.i = fsub contract double %.1857.3.i, %.1981.3.i
+  %162 = getelementptr i8, ptr %.1059.i, i64 32
+  store double %.1982.3.i, ptr %162, align 8, !noalias !24
+  %sunkaddr290.i = getelementptr i8, ptr %sunkaddr257.i, i64 40
+  %.1857.4.i = load double, ptr %sunkaddr290.i, align 8, !noalias !24
+  %.1887.4.i = load double, ptr %sunkaddr43.i, align 8, !noalias !24
+  %.1918.4.i = load double, ptr %sunkaddr41.i, align 8, !noalias !24
+  %.1919.4.i = fmul contract double %.1887.4.i, %.1918.4.i
+  %.1949.4.i = load double, ptr %sunkaddr44.i, align 8, !noalias !24
+  %.1979.4.i = load double, ptr %sunkaddr45.i, align 8, !noalias !24
+  %.1980.4.i = fmul contract double %.1949.4.i, %.1979.4.i
+  %.1981.4.i = fadd contract double %.1919.4.i, %.1980.4.i
+  %.1982.4.i = fsub contract double %.1857.4.i, %.1981.4.i
+  %163 = getelementptr i8, ptr %.1059.i, i64 40
+  store double %.1982.4.i, ptr %163, align 8, !noalias !24
+  %sunkaddr298.i = getelementptr i8, ptr %sunkaddr257.i, i64 48
+  %.1857.5.i = load double, ptr %sunkaddr298.i, align 8, !noalias !24
+  %.1887.5.i = load double, ptr %sunkaddr47.i, align 8, !noalias !24
+  %.1918.5.i = load double, ptr %sunkaddr45.i, align 8, !noalias !24
+  %.1919.5.i = fmul contract double %.1887.5.i, %.1918.5.i
+  %.1949.5.i = load double, ptr %sunkaddr48.i, align 8, !noalias !24
+  %.1979.5.i = load double, ptr %sunkaddr49.i, align 8, !noalias !24
+  %.1980.5.i = fmul contract double %.1949.5.i, %.1979.5.i
+  %.1981.5.i = fadd contract double %.1919.5.i, %.1980.5.i
+  %.1982.5.i = fsub contract double %.1857.5.i, %.1981.5.i
+  %164 = getelementptr i8, ptr %.1059.i, i64 48
+  store double %.1982.5.i, ptr %164, align 8, !noalias !24
+  %sunkaddr306.i = getelementptr i8, ptr %sunkaddr257.i, i64 56
+  %.1857.6.i = load double, ptr %sunkaddr306.i, align 8, !noalias !24
+  %.1887.6.i = load double, ptr %sunkaddr51.i, align 8, !noalias !24
+  %.1918.6.i = load double, ptr %sunkaddr49.i, align 8, !noalias !24
+  %.1919.6.i = fmul contract double %.1887.6.i, %.1918.6.i
+  %.1949.6.i = load double, ptr %sunkaddr52.i, align 8, !noalias !24
+  %.1979.6.i = load double, ptr %sunkaddr53.i, align 8, !noalias !24
+  %.1980.6.i = fmul contract double %.1949.6.i, %.1979.6.i
+  %.1981.6.i = fadd contract double %.1919.6.i, %.1980.6.i
+  %.1982.6.i = fsub contract double %.1857.6.i, %.1981.6.i
+  %165 = getelementptr i8, ptr %.1059.i, i64 56
+  store double %.1982.6.i, ptr %165, align 8, !noalias !24
+  %scevgep243.i = getelementptr i8, ptr %lsr.iv242.i, i64 %130
+  %scevgep246.i = getelementptr i8, ptr %lsr.iv245.i, i64 %130
+  %exitcond.not.i70 = icmp eq i64 %.1020.i, %.50.i
+  br i1 %exitcond.not.i70, label %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit, label %B766.if.i59
+
+_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit: ; preds = %B1398.if.i, %B288.i, %_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.795.sroa.12.1 = inttoptr i64 %.232.i to ptr
   %.868 = load i64, ptr %sunkaddr117, align 8
   %.874 = mul nsw i64 %.870.reass, %.604928988
@@ -2177,97 +2206,97 @@ _ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB
 
 B896.if.preheader:                                ; preds = %_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE.exit
   %.268.i.i192 = shl i64 %.604928988, 4
-  %188 = inttoptr i64 %.875 to ptr
+  %166 = inttoptr i64 %.875 to ptr
   br label %B896.if
 
-B896.if:                                          ; preds = %B896.if.preheader, %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  %.1013884910 = phi i64 [ %.1023, %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.993, %B896.if.preheader ]
-  %.1020890909 = phi i64 [ %.1027, %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ 0, %B896.if.preheader ]
+B896.if:                                          ; preds = %B896.if.preheader, %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %.1013884910 = phi i64 [ %.1023, %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.993, %B896.if.preheader ]
+  %.1020890909 = phi i64 [ %.1027, %_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ 0, %B896.if.preheader ]
   %.1023 = add nsw i64 %.1013884910, -1
   %.1027 = add i64 %.1020890909, 128
   %.1057 = sub nsw i64 %.187, %.1020890909
   %.13.i = tail call i64 @llvm.smin.i64(i64 %.1057, i64 128)
   call void @llvm.lifetime.start.p0(ptr nonnull %.1607.i)
-  store ptr null, ptr %.1607.i, align 8, !noalias !33
-  %.82.i = load i64, ptr %.106, align 8, !noalias !33
-  %.112.i = load i64, ptr %.76, align 8, !noalias !33
-  %.142.i = load i64, ptr %.143, align 8, !noalias !33
-  %.179.i = load i64, ptr %.178.i, align 8, !noalias !33
+  store ptr null, ptr %.1607.i, align 8, !noalias !34
+  %.82.i = load i64, ptr %.106, align 8, !noalias !34
+  %.112.i = load i64, ptr %.76, align 8, !noalias !34
+  %.142.i = load i64, ptr %.143, align 8, !noalias !34
+  %.179.i = load i64, ptr %.178.i, align 8, !noalias !34
   %.181.i = shl nsw i64 %.82.i, 4
   %.183.i = mul i64 %.181.i, %.604928988
   %.184.i = mul i64 %.183.i, %.142.i
   %.185.i = add nsw i64 %.184.i, %.179.i
-  %.276.i = load i64, ptr %.275.i100, align 8, !noalias !33
+  %.276.i = load i64, ptr %.275.i90, align 8, !noalias !34
   %.279.i = mul i64 %.82.i, %.229.i
   %.280.i = add nsw i64 %.276.i, %.279.i
-  %.366.i101 = load i64, ptr %.365.i, align 8, !noalias !33
-  %.370.i = add nsw i64 %.366.i101, %.183.i
-  %.457.i = load i64, ptr %.456.i, align 8, !noalias !33
+  %.366.i91 = load i64, ptr %.365.i, align 8, !noalias !34
+  %.370.i = add nsw i64 %.366.i91, %.183.i
+  %.457.i = load i64, ptr %.456.i, align 8, !noalias !34
   %.754912.not.i = icmp slt i64 %.112.i, 1
   br i1 %.754912.not.i, label %B732.i, label %B582.if.lr.ph.i
 
 B732.i:                                           ; preds = %B584.endif.endif.endif.i, %B896.if
   %.1112934.not.i = icmp slt i64 %.82.i, 1
-  br i1 %.1112934.not.i, label %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v75B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B762.if.lr.ph.i
+  br i1 %.1112934.not.i, label %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v94B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B762.if.lr.ph.i
 
 B762.if.lr.ph.i:                                  ; preds = %B732.i
   %.1272.i = sub nsw i64 %.142.i, %.1020890909
-  %.13.i.i112 = tail call i64 @llvm.smin.i64(i64 %.1272.i, i64 range(i64 -9223372036854775808, 129) %.13.i)
-  %.1545.i = shl nsw i64 %.13.i.i112, 1
-  %.102.i.i113 = lshr exact i64 %.13.i, 3
+  %.13.i.i101 = tail call i64 @llvm.smin.i64(i64 %.1272.i, i64 range(i64 -9223372036854775808, 129) %.13.i)
+  %.1545.i = shl nsw i64 %.13.i.i101, 1
+  %.102.i.i102 = lshr exact i64 %.13.i, 3
   %.79.inv.i.i = icmp slt i64 %.1057, 1
-  %189 = add nuw nsw i64 %.102.i.i113, 4
-  %190 = inttoptr i64 %.457.i to ptr
-  %191 = inttoptr i64 %.185.i to ptr
-  %192 = inttoptr i64 %.370.i to ptr
-  %193 = inttoptr i64 %.280.i to ptr
+  %167 = add nuw nsw i64 %.102.i.i102, 4
+  %168 = inttoptr i64 %.457.i to ptr
+  %169 = inttoptr i64 %.185.i to ptr
+  %170 = inttoptr i64 %.370.i to ptr
+  %171 = inttoptr i64 %.280.i to ptr
   br label %B762.if.i
 
 B582.if.lr.ph.i:                                  ; preds = %B896.if
   %.626.i = sub i64 0, %.142.i
-  %.543.i = load i64, ptr %.542.i, align 8, !noalias !33
+  %.543.i = load i64, ptr %.542.i, align 8, !noalias !34
   %.544.i = inttoptr i64 %.543.i to ptr
-  %.619.i102 = getelementptr i8, ptr %.544.i, i64 8
-  %.620.i = load double, ptr %.619.i102, align 8, !noalias !33
-  %.387.i.i103 = lshr exact i64 %.13.i, 3
+  %.619.i92 = getelementptr i8, ptr %.544.i, i64 8
+  %.620.i = load double, ptr %.619.i92, align 8, !noalias !34
+  %.387.i.i93 = lshr exact i64 %.13.i, 3
   %.366.inv.i.i = icmp slt i64 %.1057, 1
-  %xtraiter.i.i104 = and i64 %.387.i.i103, 3
-  %194 = shl nuw nsw i64 %xtraiter.i.i104, 6
-  %.6.i.i.i105 = insertelement <8 x double> poison, double %.620.i, i64 0
-  %.7.i.i.i106 = shufflevector <8 x double> %.6.i.i.i105, <8 x double> poison, <8 x i32> zeroinitializer
-  %195 = add nsw i64 %.387.i.i103, -4
-  %196 = lshr i64 %195, 2
-  %197 = add nuw nsw i64 %196, 1
-  %xtraiter.i107 = and i64 %197, 3
-  %198 = shl i64 %.1020890909, 3
-  %scevgep320.i = getelementptr i8, ptr %.795.sroa.12.1, i64 %198
-  %199 = lshr i64 %.626.i, 3
-  %200 = mul i64 %199, -64
-  %201 = add nsw i64 %196, -3
-  %202 = lshr i64 %201, 2
-  %203 = add nuw nsw i64 %202, 1
-  %xtraiter34.i = and i64 %203, 3
-  %204 = sub nsw i64 0, %xtraiter.i107
-  %205 = and i64 %195, 12
-  %206 = add nsw i64 %202, -3
-  %207 = lshr i64 %206, 2
-  %208 = add nuw nsw i64 %207, 1
-  %209 = and i64 %208, 9223372036854775804
-  %210 = trunc i64 %207 to i2
-  %211 = add i2 %210, 1
-  %212 = zext i2 %211 to i64
-  %213 = sub nsw i64 0, %xtraiter34.i
-  %214 = add nuw nsw i64 %.387.i.i103, 4
-  %215 = icmp ult i64 %.13.i, 32
-  %216 = icmp ult i64 %195, 12
-  %217 = icmp ult i64 %201, 12
-  %218 = icmp ult i64 %206, 12
-  %219 = and i64 %208, 3
-  %220 = icmp eq i64 %219, 0
-  %221 = and i64 %201, 12
-  %222 = icmp eq i64 %221, 12
-  %223 = icmp eq i64 %205, 12
-  %224 = icmp eq i64 %xtraiter.i.i104, 0
+  %xtraiter.i.i94 = and i64 %.387.i.i93, 3
+  %172 = shl nuw nsw i64 %xtraiter.i.i94, 6
+  %.6.i.i.i95 = insertelement <8 x double> poison, double %.620.i, i64 0
+  %.7.i.i.i96 = shufflevector <8 x double> %.6.i.i.i95, <8 x double> poison, <8 x i32> zeroinitializer
+  %173 = add nsw i64 %.387.i.i93, -4
+  %174 = lshr i64 %173, 2
+  %175 = add nuw nsw i64 %174, 1
+  %xtraiter.i = and i64 %175, 3
+  %176 = shl i64 %.1020890909, 3
+  %scevgep320.i = getelementptr i8, ptr %.795.sroa.12.1, i64 %176
+  %177 = lshr i64 %.626.i, 3
+  %178 = mul i64 %177, -64
+  %179 = add nsw i64 %174, -3
+  %180 = lshr i64 %179, 2
+  %181 = add nuw nsw i64 %180, 1
+  %xtraiter34.i = and i64 %181, 3
+  %182 = sub nsw i64 0, %xtraiter.i
+  %183 = and i64 %173, 12
+  %184 = add nsw i64 %180, -3
+  %185 = lshr i64 %184, 2
+  %186 = add nuw nsw i64 %185, 1
+  %187 = and i64 %186, 9223372036854775804
+  %188 = trunc i64 %185 to i2
+  %189 = add i2 %188, 1
+  %190 = zext i2 %189 to i64
+  %191 = sub nsw i64 0, %xtraiter34.i
+  %192 = add nuw nsw i64 %.387.i.i93, 4
+  %193 = icmp ult i64 %.13.i, 32
+  %194 = icmp ult i64 %173, 12
+  %195 = icmp ult i64 %179, 12
+  %196 = icmp ult i64 %184, 12
+  %197 = and i64 %186, 3
+  %198 = icmp eq i64 %197, 0
+  %199 = and i64 %179, 12
+  %200 = icmp eq i64 %199, 12
+  %201 = icmp eq i64 %183, 12
+  %202 = icmp eq i64 %xtraiter.i.i94, 0
   br label %B582.if.i
 
 B582.if.i:                                        ; preds = %B584.endif.endif.endif.i, %B582.if.lr.ph.i
@@ -2276,92 +2305,92 @@ B582.if.i:                                        ; preds = %B584.endif.endif.en
   %.760909913.i = phi i64 [ 0, %B582.if.lr.ph.i ], [ %.767.i, %B584.endif.endif.endif.i ]
   %.767.i = add nuw nsw i64 %.760909913.i, 1
   %.idx866.i = mul i64 %.760909913.i, 27648
-  %225 = getelementptr i8, ptr %.432, i64 %.idx866.i
-  %.974.i = load i64, ptr %sunkaddr.i108, align 8, !noalias !33
+  %203 = getelementptr i8, ptr %.432, i64 %.idx866.i
+  %.974.i = load i64, ptr %sunkaddr.i97, align 8, !noalias !34
   br i1 %.366.inv.i.i, label %B584.endif.endif.endif.i, label %B214.if.preheader.i.i
 
 B214.if.preheader.i.i:                            ; preds = %B582.if.i
-  br i1 %215, label %B214.if.epil.preheader.i.i, label %B214.if.i.preheader.i
+  br i1 %193, label %B214.if.epil.preheader.i.i, label %B214.if.i.preheader.i
 
 B214.if.i.preheader.i:                            ; preds = %B214.if.preheader.i.i
-  br i1 %216, label %B214.if.i.epil.i.preheader, label %B214.if.i.preheader32.i
+  br i1 %194, label %B214.if.i.epil.i.preheader, label %B214.if.i.preheader32.i
 
 B214.if.i.preheader32.i:                          ; preds = %B214.if.i.preheader.i
-  br i1 %217, label %B214.if.i.epil35.i.preheader, label %B214.if.i.preheader33.i
+  br i1 %195, label %B214.if.i.epil35.i.preheader, label %B214.if.i.preheader33.i
 
 B214.if.i.preheader33.i:                          ; preds = %B214.if.i.preheader32.i
-  br i1 %218, label %B214.if.i.epil36.i.preheader, label %B214.if.i.i
+  br i1 %196, label %B214.if.i.epil36.i.preheader, label %B214.if.i.i
 
 B340.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i: ; preds = %B214.if.i.i
-  br i1 %220, label %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.i, label %B214.if.i.epil36.i.preheader
+  br i1 %198, label %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.i, label %B214.if.i.epil36.i.preheader
 
 B214.if.i.epil36.i.preheader:                     ; preds = %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i, %B214.if.i.preheader33.i
   %.414647649.i.epil37.i.ph = phi i64 [ 0, %B214.if.i.preheader33.i ], [ %.421.3238.i.3.3.3.i, %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i ]
   br label %B214.if.i.epil36.i
 
 B214.if.i.epil36.i:                               ; preds = %B214.if.i.epil36.i.preheader, %B214.if.i.epil36.i
-  %lsr.iv64.i = phi i64 [ %lsr.iv.next65.i, %B214.if.i.epil36.i ], [ %212, %B214.if.i.epil36.i.preheader ]
+  %lsr.iv64.i = phi i64 [ %lsr.iv.next65.i, %B214.if.i.epil36.i ], [ %190, %B214.if.i.epil36.i.preheader ]
   %.414647649.i.epil37.i = phi i64 [ %.421.3238.i.3.3.epil.i, %B214.if.i.epil36.i ], [ %.414647649.i.epil37.i.ph, %B214.if.i.epil36.i.preheader ]
   %sunkaddr336.i.epil38.i = shl i64 %.414647649.i.epil37.i, 3
   %scevgep67.epil.i = getelementptr i8, ptr %lsr.iv282.i, i64 %sunkaddr336.i.epil38.i
   %scevgep68.epil.i = getelementptr i8, ptr %scevgep67.epil.i, i64 14336
   %.421.3238.i.3.3.epil.i = add i64 %.414647649.i.epil37.i, 512
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(5120) %scevgep68.epil.i, i8 0, i64 5120, i1 false), !noalias !33
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(5120) %scevgep68.epil.i, i8 0, i64 5120, i1 false), !noalias !34
   %lsr.iv.next65.i = add nsw i64 %lsr.iv64.i, -1
   %epil.iter.cmp.not.i = icmp eq i64 %lsr.iv.next65.i, 0
-  br i1 %epil.iter.cmp.not.i, label %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.i, label %B214.if.i.epil36.i, !llvm.loop !36
+  br i1 %epil.iter.cmp.not.i, label %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.i, label %B214.if.i.epil36.i, !llvm.loop !37
 
 B340.unr-lcssa.i.unr-lcssa.unr-lcssa.i:           ; preds = %B214.if.i.epil36.i, %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i
   %.421.3238.i.3.3.lcssa.i = phi i64 [ %.421.3238.i.3.3.3.i, %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i ], [ %.421.3238.i.3.3.epil.i, %B214.if.i.epil36.i ]
-  br i1 %222, label %B340.unr-lcssa.i.unr-lcssa.i, label %B214.if.i.epil35.i.preheader
+  br i1 %200, label %B340.unr-lcssa.i.unr-lcssa.i, label %B214.if.i.epil35.i.preheader
 
 B214.if.i.epil35.i.preheader:                     ; preds = %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.i, %B214.if.i.preheader32.i
   %.414647649.i.epil36.i.ph = phi i64 [ 0, %B214.if.i.preheader32.i ], [ %.421.3238.i.3.3.lcssa.i, %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.i ]
   br label %B214.if.i.epil35.i
 
 B214.if.i.epil35.i:                               ; preds = %B214.if.i.epil35.i.preheader, %B214.if.i.epil35.i
-  %lsr.iv66.i = phi i64 [ %math.i, %B214.if.i.epil35.i ], [ %213, %B214.if.i.epil35.i.preheader ]
+  %lsr.iv66.i = phi i64 [ %math.i, %B214.if.i.epil35.i ], [ %191, %B214.if.i.epil35.i.preheader ]
   %.414647649.i.epil36.i = phi i64 [ %.421.3238.i.3.epil.i, %B214.if.i.epil35.i ], [ %.414647649.i.epil36.i.ph, %B214.if.i.epil35.i.preheader ]
   %sunkaddr336.i.epil37.i = shl i64 %.414647649.i.epil36.i, 3
   %scevgep70.i = getelementptr i8, ptr %lsr.iv282.i, i64 %sunkaddr336.i.epil37.i
   %scevgep71.i = getelementptr i8, ptr %scevgep70.i, i64 14336
   %.421.3238.i.3.epil.i = add i64 %.414647649.i.epil36.i, 128
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(2048) %scevgep71.i, i8 0, i64 2048, i1 false), !noalias !33
-  %226 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv66.i, i64 1)
-  %math.i = extractvalue { i64, i1 } %226, 0
-  %ov93.i = extractvalue { i64, i1 } %226, 1
-  br i1 %ov93.i, label %B340.unr-lcssa.i.unr-lcssa.i, label %B214.if.i.epil35.i, !llvm.loop !37
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(2048) %scevgep71.i, i8 0, i64 2048, i1 false), !noalias !34
+  %204 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv66.i, i64 1)
+  %math.i = extractvalue { i64, i1 } %204, 0
+  %ov93.i = extractvalue { i64, i1 } %204, 1
+  br i1 %ov93.i, label %B340.unr-lcssa.i.unr-lcssa.i, label %B214.if.i.epil35.i, !llvm.loop !38
 
 B340.unr-lcssa.i.unr-lcssa.i:                     ; preds = %B214.if.i.epil35.i, %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.i
   %.421.3238.i.3.lcssa.i = phi i64 [ %.421.3238.i.3.3.lcssa.i, %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.i ], [ %.421.3238.i.3.epil.i, %B214.if.i.epil35.i ]
-  br i1 %223, label %B340.unr-lcssa.i.i, label %B214.if.i.epil.i.preheader
+  br i1 %201, label %B340.unr-lcssa.i.i, label %B214.if.i.epil.i.preheader
 
 B214.if.i.epil.i.preheader:                       ; preds = %B340.unr-lcssa.i.unr-lcssa.i, %B214.if.i.preheader.i
   %.414647649.i.epil.i.ph = phi i64 [ 0, %B214.if.i.preheader.i ], [ %.421.3238.i.3.lcssa.i, %B340.unr-lcssa.i.unr-lcssa.i ]
   br label %B214.if.i.epil.i
 
 B214.if.i.epil.i:                                 ; preds = %B214.if.i.epil.i.preheader, %B214.if.i.epil.i
-  %lsr.iv68.i = phi i64 [ %lsr.iv.next69.i, %B214.if.i.epil.i ], [ %204, %B214.if.i.epil.i.preheader ]
+  %lsr.iv68.i = phi i64 [ %lsr.iv.next69.i, %B214.if.i.epil.i ], [ %182, %B214.if.i.epil.i.preheader ]
   %.414647649.i.epil.i = phi i64 [ %.421.3238.i.epil.i, %B214.if.i.epil.i ], [ %.414647649.i.epil.i.ph, %B214.if.i.epil.i.preheader ]
   %sunkaddr336.i.epil.i = shl i64 %.414647649.i.epil.i, 3
   %.421.3238.i.epil.i = add i64 %.414647649.i.epil.i, 32
   %scevgep72.i = getelementptr i8, ptr %lsr.iv282.i, i64 %sunkaddr336.i.epil.i
   %scevgep73.i = getelementptr i8, ptr %scevgep72.i, i64 15360
   %scevgep77.i = getelementptr i8, ptr %scevgep72.i, i64 14336
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(256) %scevgep77.i, i8 0, i64 256, i1 false), !noalias !38
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(256) %scevgep73.i, i8 0, i64 256, i1 false), !noalias !38
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(256) %scevgep77.i, i8 0, i64 256, i1 false), !noalias !39
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(256) %scevgep73.i, i8 0, i64 256, i1 false), !noalias !39
   %ov.i = icmp eq i64 %lsr.iv68.i, -1
   %lsr.iv.next69.i = add i64 %lsr.iv68.i, 1
-  br i1 %ov.i, label %B340.unr-lcssa.i.i, label %B214.if.i.epil.i, !llvm.loop !41
+  br i1 %ov.i, label %B340.unr-lcssa.i.i, label %B214.if.i.epil.i, !llvm.loop !42
 
 B340.unr-lcssa.i.i:                               ; preds = %B214.if.i.epil.i, %B340.unr-lcssa.i.unr-lcssa.i
   %.421.3238.i.lcssa.i = phi i64 [ %.421.3238.i.3.lcssa.i, %B340.unr-lcssa.i.unr-lcssa.i ], [ %.421.3238.i.epil.i, %B214.if.i.epil.i ]
-  br i1 %224, label %B340.i.i, label %B214.if.epil.preheader.i.i
+  br i1 %202, label %B340.i.i, label %B214.if.epil.preheader.i.i
 
 B214.if.epil.preheader.i.i:                       ; preds = %B340.unr-lcssa.i.i, %B214.if.preheader.i.i
   %.414647649.epil.init.i.i = phi i64 [ 0, %B214.if.preheader.i.i ], [ %.421.3238.i.lcssa.i, %B340.unr-lcssa.i.i ]
-  %227 = shl i64 %.414647649.epil.init.i.i, 3
-  %scevgep284.i = getelementptr i8, ptr %lsr.iv282.i, i64 %227
+  %205 = shl i64 %.414647649.epil.init.i.i, 3
+  %scevgep284.i = getelementptr i8, ptr %lsr.iv282.i, i64 %205
   br label %B214.if.epil.i.i
 
 B214.if.epil.i.i:                                 ; preds = %B214.if.epil.i.i, %B214.if.epil.preheader.i.i
@@ -2369,121 +2398,121 @@ B214.if.epil.i.i:                                 ; preds = %B214.if.epil.i.i, %
   %scevgep285.i = getelementptr i8, ptr %scevgep284.i, i64 %lsr.iv288.i.i
   %scevgep286.i = getelementptr i8, ptr %scevgep285.i, i64 15360
   %scevgep287.i = getelementptr i8, ptr %scevgep285.i, i64 14336
-  store <8 x double> zeroinitializer, ptr %scevgep287.i, align 8, !noalias !38
-  store <8 x double> zeroinitializer, ptr %scevgep286.i, align 8, !noalias !38
+  store <8 x double> zeroinitializer, ptr %scevgep287.i, align 8, !noalias !39
+  store <8 x double> zeroinitializer, ptr %scevgep286.i, align 8, !noalias !39
   %lsr.iv.next289.i.i = add nuw nsw i64 %lsr.iv288.i.i, 64
-  %epil.iter.cmp.not.i.i109 = icmp eq i64 %194, %lsr.iv.next289.i.i
-  br i1 %epil.iter.cmp.not.i.i109, label %B340.i.i, label %B214.if.epil.i.i, !llvm.loop !42
+  %epil.iter.cmp.not.i.i98 = icmp eq i64 %172, %lsr.iv.next289.i.i
+  br i1 %epil.iter.cmp.not.i.i98, label %B340.i.i, label %B214.if.epil.i.i, !llvm.loop !43
 
 B340.i.i:                                         ; preds = %B214.if.epil.i.i, %B340.unr-lcssa.i.i
-  %.247.1.i.i = getelementptr i8, ptr %225, i64 17408
+  %.247.1.i.i = getelementptr i8, ptr %203, i64 17408
   br label %B214.if.1.i.i
 
 B214.if.1.i.i:                                    ; preds = %B214.if.1.i.i, %B340.i.i
-  %lsr.iv74.i = phi i64 [ %lsr.iv.next75.i, %B214.if.1.i.i ], [ %214, %B340.i.i ]
+  %lsr.iv74.i = phi i64 [ %lsr.iv.next75.i, %B214.if.1.i.i ], [ %192, %B340.i.i ]
   %lsr.iv284.i.i = phi ptr [ %scevgep285.i.i, %B214.if.1.i.i ], [ %.247.1.i.i, %B340.i.i ]
   %scevgep286.i.i = getelementptr i8, ptr %lsr.iv284.i.i, i64 -1024
-  store <8 x double> zeroinitializer, ptr %scevgep286.i.i, align 8, !noalias !38
-  store <8 x double> zeroinitializer, ptr %lsr.iv284.i.i, align 8, !noalias !38
+  store <8 x double> zeroinitializer, ptr %scevgep286.i.i, align 8, !noalias !39
+  store <8 x double> zeroinitializer, ptr %lsr.iv284.i.i, align 8, !noalias !39
   %scevgep285.i.i = getelementptr i8, ptr %lsr.iv284.i.i, i64 64
   %lsr.iv.next75.i = add nsw i64 %lsr.iv74.i, -1
   %.408.1.i.i = icmp sgt i64 %lsr.iv74.i, 5
   br i1 %.408.1.i.i, label %B214.if.1.i.i, label %B214.if.2.preheader.i.i
 
 B214.if.2.preheader.i.i:                          ; preds = %B214.if.1.i.i
-  br i1 %215, label %B214.if.2.epil.preheader.i.i, label %B214.if.2.i.preheader.i
+  br i1 %193, label %B214.if.2.epil.preheader.i.i, label %B214.if.2.i.preheader.i
 
 B214.if.2.i.preheader.i:                          ; preds = %B214.if.2.preheader.i.i
-  br i1 %216, label %B214.if.2.i.epil.i.preheader, label %B214.if.2.i.preheader31.i
+  br i1 %194, label %B214.if.2.i.epil.i.preheader, label %B214.if.2.i.preheader31.i
 
 B214.if.2.i.preheader31.i:                        ; preds = %B214.if.2.i.preheader.i
-  br i1 %217, label %B214.if.2.i.epil44.i.preheader, label %B214.if.2.i.preheader32.i
+  br i1 %195, label %B214.if.2.i.epil44.i.preheader, label %B214.if.2.i.preheader32.i
 
 B214.if.2.i.preheader32.i:                        ; preds = %B214.if.2.i.preheader31.i
-  br i1 %218, label %B214.if.2.i.epil43.i.preheader, label %B214.if.2.i.i
+  br i1 %196, label %B214.if.2.i.epil43.i.preheader, label %B214.if.2.i.i
 
 B214.if.2.i.i:                                    ; preds = %B214.if.2.i.preheader32.i, %B214.if.2.i.i
-  %lsr.iv76.i = phi i64 [ %lsr.iv.next77.i, %B214.if.2.i.i ], [ %209, %B214.if.2.i.preheader32.i ]
+  %lsr.iv76.i = phi i64 [ %lsr.iv.next77.i, %B214.if.2.i.i ], [ %187, %B214.if.2.i.preheader32.i ]
   %.414647649.2.i.i = phi i64 [ %.421.2.3.i.3.3.3.i, %B214.if.2.i.i ], [ 0, %B214.if.2.i.preheader32.i ]
-  %sunkaddr.i.i110 = shl i64 %.414647649.2.i.i, 3
-  %scevgep304.i = getelementptr i8, ptr %lsr.iv282.i, i64 %sunkaddr.i.i110
+  %sunkaddr.i.i99 = shl i64 %.414647649.2.i.i, 3
+  %scevgep304.i = getelementptr i8, ptr %lsr.iv282.i, i64 %sunkaddr.i.i99
   %scevgep305.i = getelementptr i8, ptr %scevgep304.i, i64 36864
   %.421.2.3.i.3.3.3.i = add i64 %.414647649.2.i.i, 2048
   %lsr.iv.next77.i = add i64 %lsr.iv76.i, -4
   %niter53.ncmp.3.i = icmp eq i64 %lsr.iv.next77.i, 0
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(17408) %scevgep305.i, i8 0, i64 17408, i1 false), !noalias !33
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(17408) %scevgep305.i, i8 0, i64 17408, i1 false), !noalias !34
   br i1 %niter53.ncmp.3.i, label %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i, label %B214.if.2.i.i
 
 B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i: ; preds = %B214.if.2.i.i
-  br i1 %220, label %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.i, label %B214.if.2.i.epil43.i.preheader
+  br i1 %198, label %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.i, label %B214.if.2.i.epil43.i.preheader
 
 B214.if.2.i.epil43.i.preheader:                   ; preds = %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i, %B214.if.2.i.preheader32.i
   %.414647649.2.i.epil44.i.ph = phi i64 [ 0, %B214.if.2.i.preheader32.i ], [ %.421.2.3.i.3.3.3.i, %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i ]
   br label %B214.if.2.i.epil43.i
 
 B214.if.2.i.epil43.i:                             ; preds = %B214.if.2.i.epil43.i.preheader, %B214.if.2.i.epil43.i
-  %lsr.iv78.i = phi i64 [ %lsr.iv.next79.i, %B214.if.2.i.epil43.i ], [ %212, %B214.if.2.i.epil43.i.preheader ]
+  %lsr.iv78.i = phi i64 [ %lsr.iv.next79.i, %B214.if.2.i.epil43.i ], [ %190, %B214.if.2.i.epil43.i.preheader ]
   %.414647649.2.i.epil44.i = phi i64 [ %.421.2.3.i.3.3.epil.i, %B214.if.2.i.epil43.i ], [ %.414647649.2.i.epil44.i.ph, %B214.if.2.i.epil43.i.preheader ]
   %sunkaddr.i.epil45.i = shl i64 %.414647649.2.i.epil44.i, 3
   %scevgep304.epil46.i = getelementptr i8, ptr %lsr.iv282.i, i64 %sunkaddr.i.epil45.i
   %scevgep305.epil47.i = getelementptr i8, ptr %scevgep304.epil46.i, i64 36864
   %.421.2.3.i.3.3.epil.i = add i64 %.414647649.2.i.epil44.i, 512
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(5120) %scevgep305.epil47.i, i8 0, i64 5120, i1 false), !noalias !33
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(5120) %scevgep305.epil47.i, i8 0, i64 5120, i1 false), !noalias !34
   %lsr.iv.next79.i = add nsw i64 %lsr.iv78.i, -1
   %epil.iter48.cmp.not.i = icmp eq i64 %lsr.iv.next79.i, 0
-  br i1 %epil.iter48.cmp.not.i, label %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.i, label %B214.if.2.i.epil43.i, !llvm.loop !43
+  br i1 %epil.iter48.cmp.not.i, label %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.i, label %B214.if.2.i.epil43.i, !llvm.loop !44
 
 B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.i:         ; preds = %B214.if.2.i.epil43.i, %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i
   %.421.2.3.i.3.3.lcssa.i = phi i64 [ %.421.2.3.i.3.3.3.i, %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i ], [ %.421.2.3.i.3.3.epil.i, %B214.if.2.i.epil43.i ]
-  br i1 %222, label %B340.2.unr-lcssa.i.unr-lcssa.i, label %B214.if.2.i.epil44.i.preheader
+  br i1 %200, label %B340.2.unr-lcssa.i.unr-lcssa.i, label %B214.if.2.i.epil44.i.preheader
 
 B214.if.2.i.epil44.i.preheader:                   ; preds = %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.i, %B214.if.2.i.preheader31.i
   %.414647649.2.i.epil45.i.ph = phi i64 [ 0, %B214.if.2.i.preheader31.i ], [ %.421.2.3.i.3.3.lcssa.i, %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.i ]
   br label %B214.if.2.i.epil44.i
 
 B214.if.2.i.epil44.i:                             ; preds = %B214.if.2.i.epil44.i.preheader, %B214.if.2.i.epil44.i
-  %lsr.iv80.i = phi i64 [ %math94.i, %B214.if.2.i.epil44.i ], [ %213, %B214.if.2.i.epil44.i.preheader ]
+  %lsr.iv80.i = phi i64 [ %math94.i, %B214.if.2.i.epil44.i ], [ %191, %B214.if.2.i.epil44.i.preheader ]
   %.414647649.2.i.epil45.i = phi i64 [ %.421.2.3.i.3.epil.i, %B214.if.2.i.epil44.i ], [ %.414647649.2.i.epil45.i.ph, %B214.if.2.i.epil44.i.preheader ]
   %sunkaddr.i.epil46.i = shl i64 %.414647649.2.i.epil45.i, 3
   %scevgep304.epil.i = getelementptr i8, ptr %lsr.iv282.i, i64 %sunkaddr.i.epil46.i
   %scevgep305.epil.i = getelementptr i8, ptr %scevgep304.epil.i, i64 36864
   %.421.2.3.i.3.epil.i = add i64 %.414647649.2.i.epil45.i, 128
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(2048) %scevgep305.epil.i, i8 0, i64 2048, i1 false), !noalias !33
-  %228 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv80.i, i64 1)
-  %math94.i = extractvalue { i64, i1 } %228, 0
-  %ov95.i = extractvalue { i64, i1 } %228, 1
-  br i1 %ov95.i, label %B340.2.unr-lcssa.i.unr-lcssa.i, label %B214.if.2.i.epil44.i, !llvm.loop !44
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(2048) %scevgep305.epil.i, i8 0, i64 2048, i1 false), !noalias !34
+  %206 = tail call { i64, i1 } @llvm.uadd.with.overflow.i64(i64 %lsr.iv80.i, i64 1)
+  %math94.i = extractvalue { i64, i1 } %206, 0
+  %ov95.i = extractvalue { i64, i1 } %206, 1
+  br i1 %ov95.i, label %B340.2.unr-lcssa.i.unr-lcssa.i, label %B214.if.2.i.epil44.i, !llvm.loop !45
 
 B340.2.unr-lcssa.i.unr-lcssa.i:                   ; preds = %B214.if.2.i.epil44.i, %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.i
   %.421.2.3.i.3.lcssa.i = phi i64 [ %.421.2.3.i.3.3.lcssa.i, %B340.2.unr-lcssa.i.unr-lcssa.unr-lcssa.i ], [ %.421.2.3.i.3.epil.i, %B214.if.2.i.epil44.i ]
-  br i1 %223, label %B340.2.unr-lcssa.i.i, label %B214.if.2.i.epil.i.preheader
+  br i1 %201, label %B340.2.unr-lcssa.i.i, label %B214.if.2.i.epil.i.preheader
 
 B214.if.2.i.epil.i.preheader:                     ; preds = %B340.2.unr-lcssa.i.unr-lcssa.i, %B214.if.2.i.preheader.i
   %.414647649.2.i.epil.i.ph = phi i64 [ 0, %B214.if.2.i.preheader.i ], [ %.421.2.3.i.3.lcssa.i, %B340.2.unr-lcssa.i.unr-lcssa.i ]
   br label %B214.if.2.i.epil.i
 
 B214.if.2.i.epil.i:                               ; preds = %B214.if.2.i.epil.i.preheader, %B214.if.2.i.epil.i
-  %lsr.iv82.i = phi i64 [ %lsr.iv.next83.i, %B214.if.2.i.epil.i ], [ %204, %B214.if.2.i.epil.i.preheader ]
+  %lsr.iv82.i = phi i64 [ %lsr.iv.next83.i, %B214.if.2.i.epil.i ], [ %182, %B214.if.2.i.epil.i.preheader ]
   %.414647649.2.i.epil.i = phi i64 [ %.421.2.3.i.epil.i, %B214.if.2.i.epil.i ], [ %.414647649.2.i.epil.i.ph, %B214.if.2.i.epil.i.preheader ]
   %sunkaddr.i.epil.i = shl i64 %.414647649.2.i.epil.i, 3
   %scevgep310.i = getelementptr i8, ptr %lsr.iv282.i, i64 %sunkaddr.i.epil.i
   %scevgep311.i = getelementptr i8, ptr %scevgep310.i, i64 36864
   %.421.2.3.i.epil.i = add i64 %.414647649.2.i.epil.i, 32
   %scevgep313.i = getelementptr i8, ptr %scevgep310.i, i64 37888
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(256) %scevgep311.i, i8 0, i64 256, i1 false), !noalias !38
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(256) %scevgep313.i, i8 0, i64 256, i1 false), !noalias !38
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(256) %scevgep311.i, i8 0, i64 256, i1 false), !noalias !39
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(256) %scevgep313.i, i8 0, i64 256, i1 false), !noalias !39
   %ov96.i = icmp eq i64 %lsr.iv82.i, -1
   %lsr.iv.next83.i = add i64 %lsr.iv82.i, 1
-  br i1 %ov96.i, label %B340.2.unr-lcssa.i.i, label %B214.if.2.i.epil.i, !llvm.loop !45
+  br i1 %ov96.i, label %B340.2.unr-lcssa.i.i, label %B214.if.2.i.epil.i, !llvm.loop !46
 
 B340.2.unr-lcssa.i.i:                             ; preds = %B214.if.2.i.epil.i, %B340.2.unr-lcssa.i.unr-lcssa.i
   %.421.2.3.i.lcssa.i = phi i64 [ %.421.2.3.i.3.lcssa.i, %B340.2.unr-lcssa.i.unr-lcssa.i ], [ %.421.2.3.i.epil.i, %B214.if.2.i.epil.i ]
-  br i1 %224, label %B340.2.i.i, label %B214.if.2.epil.preheader.i.i
+  br i1 %202, label %B340.2.i.i, label %B214.if.2.epil.preheader.i.i
 
 B214.if.2.epil.preheader.i.i:                     ; preds = %B340.2.unr-lcssa.i.i, %B214.if.2.preheader.i.i
   %.414647649.2.epil.init.i.i = phi i64 [ 0, %B214.if.2.preheader.i.i ], [ %.421.2.3.i.lcssa.i, %B340.2.unr-lcssa.i.i ]
-  %229 = shl i64 %.414647649.2.epil.init.i.i, 3
-  %scevgep314.i = getelementptr i8, ptr %lsr.iv282.i, i64 %229
+  %207 = shl i64 %.414647649.2.epil.init.i.i, 3
+  %scevgep314.i = getelementptr i8, ptr %lsr.iv282.i, i64 %207
   br label %B214.if.2.epil.i.i
 
 B214.if.2.epil.i.i:                               ; preds = %B214.if.2.epil.i.i, %B214.if.2.epil.preheader.i.i
@@ -2491,90 +2520,90 @@ B214.if.2.epil.i.i:                               ; preds = %B214.if.2.epil.i.i,
   %scevgep315.i = getelementptr i8, ptr %scevgep314.i, i64 %lsr.iv262.i.i
   %scevgep316.i = getelementptr i8, ptr %scevgep315.i, i64 37888
   %scevgep317.i = getelementptr i8, ptr %scevgep315.i, i64 36864
-  store <8 x double> zeroinitializer, ptr %scevgep317.i, align 8, !noalias !38
-  store <8 x double> zeroinitializer, ptr %scevgep316.i, align 8, !noalias !38
+  store <8 x double> zeroinitializer, ptr %scevgep317.i, align 8, !noalias !39
+  store <8 x double> zeroinitializer, ptr %scevgep316.i, align 8, !noalias !39
   %lsr.iv.next263.i.i = add nuw nsw i64 %lsr.iv262.i.i, 64
-  %epil.iter244.cmp.not.i.i = icmp eq i64 %194, %lsr.iv.next263.i.i
-  br i1 %epil.iter244.cmp.not.i.i, label %B340.2.i.i, label %B214.if.2.epil.i.i, !llvm.loop !46
+  %epil.iter244.cmp.not.i.i = icmp eq i64 %172, %lsr.iv.next263.i.i
+  br i1 %epil.iter244.cmp.not.i.i, label %B340.2.i.i, label %B214.if.2.epil.i.i, !llvm.loop !47
 
 B340.2.i.i:                                       ; preds = %B214.if.2.epil.i.i, %B340.2.unr-lcssa.i.i
-  %.247.3.i.i = getelementptr i8, ptr %225, i64 39936
+  %.247.3.i.i = getelementptr i8, ptr %203, i64 39936
   br label %B214.if.3.i.i
 
 B214.if.3.i.i:                                    ; preds = %B214.if.3.i.i, %B340.2.i.i
-  %lsr.iv84.i = phi i64 [ %lsr.iv.next85.i, %B214.if.3.i.i ], [ %214, %B340.2.i.i ]
+  %lsr.iv84.i = phi i64 [ %lsr.iv.next85.i, %B214.if.3.i.i ], [ %192, %B340.2.i.i ]
   %lsr.iv258.i.i = phi ptr [ %scevgep259.i.i, %B214.if.3.i.i ], [ %.247.3.i.i, %B340.2.i.i ]
   %scevgep260.i.i = getelementptr i8, ptr %lsr.iv258.i.i, i64 -1024
-  store <8 x double> zeroinitializer, ptr %scevgep260.i.i, align 8, !noalias !38
-  store <8 x double> zeroinitializer, ptr %lsr.iv258.i.i, align 8, !noalias !38
+  store <8 x double> zeroinitializer, ptr %scevgep260.i.i, align 8, !noalias !39
+  store <8 x double> zeroinitializer, ptr %lsr.iv258.i.i, align 8, !noalias !39
   %scevgep259.i.i = getelementptr i8, ptr %lsr.iv258.i.i, i64 64
   %lsr.iv.next85.i = add nsw i64 %lsr.iv84.i, -1
   %.408.3.i.i = icmp sgt i64 %lsr.iv84.i, 5
   br i1 %.408.3.i.i, label %B214.if.3.i.i, label %B548.if.i.preheader.i
 
 B548.if.i.preheader.i:                            ; preds = %B214.if.3.i.i
-  %230 = icmp eq i64 %.974.i, 1
+  %208 = icmp eq i64 %.974.i, 1
   br label %B548.if.i.i
 
 B624.i.i:                                         ; preds = %B548.if.i.i
   %scevgep325.i = getelementptr i8, ptr %lsr.iv321.i, i64 %lsr.iv323.i
   %scevgep326.i = getelementptr i8, ptr %scevgep325.i, i64 -40960
-  %.926.i.i126 = load <8 x double>, ptr %scevgep326.i, align 8, !noalias !38
-  %.8.i.i.i127 = fmul contract <8 x double> %.7.i.i.i106, %.926.i.i126
-  %.956.i.i128 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i127, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
-  %.8.i160.i.i = fadd contract <8 x double> %.956.i.i128, splat (double 0xC338000000000000)
-  %.997.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i160.i.i, <8 x double> splat (double 0xBFF921FB54442D18), <8 x double> %.8.i.i.i127)
-  %.1014.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i160.i.i, <8 x double> splat (double 0xBC91A62633145C07), <8 x double> %.997.i.i)
+  %.926.i.i120 = load <8 x double>, ptr %scevgep326.i, align 8, !noalias !39
+  %.8.i.i.i121 = fmul contract <8 x double> %.7.i.i.i96, %.926.i.i120
+  %.956.i.i122 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i121, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
+  %.8.i160.i.i = fadd contract <8 x double> %.956.i.i122, splat (double 0xC338000000000000)
+  %.997.i.i123 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i160.i.i, <8 x double> splat (double 0xBFF921FB54442D18), <8 x double> %.8.i.i.i121)
+  %.1014.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i160.i.i, <8 x double> splat (double 0xBC91A62633145C07), <8 x double> %.997.i.i123)
   %.6.i161.i.i = fmul contract <8 x double> %.1014.i.i, %.1014.i.i
   %.6.i162.i.i = fmul contract <8 x double> %.1014.i.i, %.6.i161.i.i
-  %.1043.i.i129 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> splat (double 0xBD6AE7F3E733B81F), <8 x double> splat (double 0x3DE6124613A86D09))
-  %.1046.i.i130 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1043.i.i129, <8 x double> splat (double 0xBE5AE64567F544E4))
-  %.1049.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1046.i.i130, <8 x double> splat (double 0x3EC71DE3A556C734))
+  %.1043.i.i124 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> splat (double 0xBD6AE7F3E733B81F), <8 x double> splat (double 0x3DE6124613A86D09))
+  %.1046.i.i125 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1043.i.i124, <8 x double> splat (double 0xBE5AE64567F544E4))
+  %.1049.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1046.i.i125, <8 x double> splat (double 0x3EC71DE3A556C734))
   %.1052.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1049.i.i, <8 x double> splat (double 0xBF2A01A01A01A01A))
   %.1055.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1052.i.i, <8 x double> splat (double 0x3F81111111111111))
-  %.1058.i.i131 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1055.i.i, <8 x double> splat (double 0xBFC5555555555555))
-  %.1083.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i162.i.i, <8 x double> %.1058.i.i131, <8 x double> %.1014.i.i)
+  %.1058.i.i126 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1055.i.i, <8 x double> splat (double 0xBFC5555555555555))
+  %.1083.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i162.i.i, <8 x double> %.1058.i.i126, <8 x double> %.1014.i.i)
   %.1088.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> splat (double 0x3D2AE7F3E733B81F), <8 x double> splat (double 0xBDA93974A8C07C9D))
-  %.1091.i.i132 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1088.i.i, <8 x double> splat (double 0x3E21EED8EFF8D898))
-  %.1094.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1091.i.i132, <8 x double> splat (double 0xBE927E4FB7789F5C))
+  %.1091.i.i127 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1088.i.i, <8 x double> splat (double 0x3E21EED8EFF8D898))
+  %.1094.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1091.i.i127, <8 x double> splat (double 0xBE927E4FB7789F5C))
   %.1097.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1094.i.i, <8 x double> splat (double 0x3EFA01A01A01A01A))
   %.1100.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1097.i.i, <8 x double> splat (double 0xBF56C16C16C16C17))
   %.1103.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1100.i.i, <8 x double> splat (double 0x3FA5555555555555))
   %.1106.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1103.i.i, <8 x double> splat (double -5.000000e-01))
   %.1109.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i161.i.i, <8 x double> %.1106.i.i, <8 x double> splat (double 1.000000e+00))
-  %.1110.i.i = bitcast <8 x double> %.956.i.i128 to <8 x i64>
+  %.1110.i.i = bitcast <8 x double> %.956.i.i122 to <8 x i64>
   %.1111.i.i = bitcast <8 x double> %.1083.i.i to <8 x i64>
   %.1112.i.i = bitcast <8 x double> %.1109.i.i to <8 x i64>
   %.6.i163.i.i = xor <8 x i64> %.1112.i.i, %.1111.i.i
   %.8.i164.i.i = and <8 x i64> %.1110.i.i, splat (i64 1)
-  %231 = icmp eq <8 x i64> %.8.i164.i.i, zeroinitializer
-  %.6.i166.i.i = select <8 x i1> %231, <8 x i64> zeroinitializer, <8 x i64> %.6.i163.i.i
+  %209 = icmp eq <8 x i64> %.8.i164.i.i, zeroinitializer
+  %.6.i166.i.i = select <8 x i1> %209, <8 x i64> zeroinitializer, <8 x i64> %.6.i163.i.i
   %.8.i167.i.i = shl <8 x i64> %.1110.i.i, splat (i64 62)
   %.8.i168.i.i = and <8 x i64> %.8.i167.i.i, splat (i64 -9223372036854775808)
   %.8.i170.i.i = add <8 x i64> %.8.i167.i.i, splat (i64 4611686018427387904)
   %.8.i171.i.i = and <8 x i64> %.8.i170.i.i, splat (i64 -9223372036854775808)
-  %232 = xor <8 x i64> %.8.i168.i.i, %.1111.i.i
-  %.6.i173.i.i = xor <8 x i64> %232, %.6.i166.i.i
-  %233 = bitcast <8 x i64> %.6.i173.i.i to <8 x double>
-  %234 = xor <8 x i64> %.8.i171.i.i, %.1112.i.i
-  %.6.i175.i.i = xor <8 x i64> %234, %.6.i166.i.i
-  %235 = bitcast <8 x i64> %.6.i175.i.i to <8 x double>
+  %210 = xor <8 x i64> %.8.i168.i.i, %.1111.i.i
+  %.6.i173.i.i = xor <8 x i64> %210, %.6.i166.i.i
+  %211 = bitcast <8 x i64> %.6.i173.i.i to <8 x double>
+  %212 = xor <8 x i64> %.8.i171.i.i, %.1112.i.i
+  %.6.i175.i.i = xor <8 x i64> %212, %.6.i166.i.i
+  %213 = bitcast <8 x i64> %.6.i175.i.i to <8 x double>
   br label %B746.i.i
 
 B746.i.i:                                         ; preds = %B548.if.i.i, %B624.i.i
-  %"$phi746.1.2.sroa.8.1.i.i" = phi <8 x double> [ %235, %B624.i.i ], [ splat (double 1.000000e+00), %B548.if.i.i ]
-  %"$phi746.1.2.sroa.0.1.i.i" = phi <8 x double> [ %233, %B624.i.i ], [ zeroinitializer, %B548.if.i.i ]
+  %"$phi746.1.2.sroa.8.1.i.i" = phi <8 x double> [ %213, %B624.i.i ], [ splat (double 1.000000e+00), %B548.if.i.i ]
+  %"$phi746.1.2.sroa.0.1.i.i" = phi <8 x double> [ %211, %B624.i.i ], [ zeroinitializer, %B548.if.i.i ]
   %scevgep92.i = getelementptr i8, ptr %scevgep331.i, i64 -22528
-  store <8 x double> %"$phi746.1.2.sroa.8.1.i.i", ptr %scevgep92.i, align 8, !noalias !38
+  store <8 x double> %"$phi746.1.2.sroa.8.1.i.i", ptr %scevgep92.i, align 8, !noalias !39
   %scevgep89.i = getelementptr i8, ptr %scevgep331.i, i64 -21504
-  store <8 x double> %"$phi746.1.2.sroa.0.1.i.i", ptr %scevgep89.i, align 8, !noalias !38
+  store <8 x double> %"$phi746.1.2.sroa.0.1.i.i", ptr %scevgep89.i, align 8, !noalias !39
   %lsr.iv.next324.i = add i64 %lsr.iv323.i, 64
   %lsr.iv.next87.i = add nsw i64 %lsr.iv86.i, -1
   %.858.i.i = icmp sgt i64 %lsr.iv86.i, 5
   br i1 %.858.i.i, label %B548.if.i.i, label %B584.endif.endif.endif.i
 
 B214.if.i.i:                                      ; preds = %B214.if.i.preheader33.i, %B214.if.i.i
-  %lsr.iv62.i = phi i64 [ %lsr.iv.next63.i, %B214.if.i.i ], [ %209, %B214.if.i.preheader33.i ]
+  %lsr.iv62.i = phi i64 [ %lsr.iv.next63.i, %B214.if.i.i ], [ %187, %B214.if.i.preheader33.i ]
   %.414647649.i.i = phi i64 [ %.421.3238.i.3.3.3.i, %B214.if.i.i ], [ 0, %B214.if.i.preheader33.i ]
   %sunkaddr336.i.i = shl i64 %.414647649.i.i, 3
   %scevgep67.i = getelementptr i8, ptr %lsr.iv282.i, i64 %sunkaddr336.i.i
@@ -2582,278 +2611,278 @@ B214.if.i.i:                                      ; preds = %B214.if.i.preheader
   %.421.3238.i.3.3.3.i = add i64 %.414647649.i.i, 2048
   %lsr.iv.next63.i = add i64 %lsr.iv62.i, -4
   %niter.ncmp.3.i = icmp eq i64 %lsr.iv.next63.i, 0
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(17408) %scevgep68.i, i8 0, i64 17408, i1 false), !noalias !33
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(17408) %scevgep68.i, i8 0, i64 17408, i1 false), !noalias !34
   br i1 %niter.ncmp.3.i, label %B340.unr-lcssa.i.unr-lcssa.unr-lcssa.unr-lcssa.i, label %B214.if.i.i
 
 B548.if.i.i:                                      ; preds = %B746.i.i, %B548.if.i.preheader.i
-  %lsr.iv86.i = phi i64 [ %lsr.iv.next87.i, %B746.i.i ], [ %214, %B548.if.i.preheader.i ]
+  %lsr.iv86.i = phi i64 [ %lsr.iv.next87.i, %B746.i.i ], [ %192, %B548.if.i.preheader.i ]
   %lsr.iv323.i = phi i64 [ %lsr.iv.next324.i, %B746.i.i ], [ 40960, %B548.if.i.preheader.i ]
   %scevgep331.i = getelementptr i8, ptr %lsr.iv282.i, i64 %lsr.iv323.i
-  store <8 x double> zeroinitializer, ptr %scevgep331.i, align 8, !noalias !38
-  br i1 %230, label %B624.i.i, label %B746.i.i
+  store <8 x double> zeroinitializer, ptr %scevgep331.i, align 8, !noalias !39
+  br i1 %208, label %B624.i.i, label %B746.i.i
 
 B584.endif.endif.endif.i:                         ; preds = %B746.i.i, %B582.if.i
   %scevgep283.i = getelementptr i8, ptr %lsr.iv282.i, i64 27648
-  %scevgep322.i = getelementptr i8, ptr %lsr.iv321.i, i64 %200
-  %exitcond.not.i111 = icmp eq i64 %.767.i, %.112.i
-  br i1 %exitcond.not.i111, label %B732.i, label %B582.if.i
+  %scevgep322.i = getelementptr i8, ptr %lsr.iv321.i, i64 %178
+  %exitcond.not.i100 = icmp eq i64 %.767.i, %.112.i
+  br i1 %exitcond.not.i100, label %B732.i, label %B582.if.i
 
 B762.if.i:                                        ; preds = %B764.endif.endif.endif.en...endif.i, %B762.if.lr.ph.i
-  %.1118925935.i = phi i64 [ 0, %B762.if.lr.ph.i ], [ %.1125.i, %B764.endif.endif.endif.en...endif.i ]
-  %.1125.i = add nuw nsw i64 %.1118925935.i, 1
-  %236 = getelementptr i64, ptr %190, i64 %.1118925935.i
-  %.1180.i = load i64, ptr %236, align 8, !noalias !33
-  %.idx.i115 = mul i64 %.1180.i, 27648
-  %.1266.i = mul nsw i64 %.1118925935.i, %.142.i
-  %.1268.i = add nsw i64 %.1266.i, %.1020890909
-  %.1556.idx.i = shl nsw i64 %.1268.i, 4
-  %.1556.i = getelementptr inbounds i8, ptr %191, i64 %.1556.idx.i
-  store ptr null, ptr %.1607.i, align 8, !noalias !33
-  call fastcc void @inner_1(ptr nonnull %.1607.i, i64 %.13.i.i112, ptr %.1556.i, i64 %.1545.i, ptr nonnull %.1389.i, ptr nonnull %.1474.i)
+  %.1118925935.i = phi i64 [ 0, %B762.if.lr.ph.i ], [ %.1125.i104, %B764.endif.endif.endif.en...endif.i ]
+  %.1125.i104 = add nuw nsw i64 %.1118925935.i, 1
+  %214 = getelementptr i64, ptr %168, i64 %.1118925935.i
+  %.1180.i = load i64, ptr %214, align 8, !noalias !34
+  %.idx.i105 = mul i64 %.1180.i, 27648
+  %.1266.i106 = mul nsw i64 %.1118925935.i, %.142.i
+  %.1268.i107 = add nsw i64 %.1266.i106, %.1020890909
+  %.1556.idx.i = shl nsw i64 %.1268.i107, 4
+  %.1556.i = getelementptr inbounds i8, ptr %169, i64 %.1556.idx.i
+  store ptr null, ptr %.1607.i, align 8, !noalias !34
+  call fastcc void @inner_1(ptr nonnull %.1607.i, i64 %.13.i.i101, ptr %.1556.i, i64 %.1545.i, ptr nonnull %.1389.i, ptr nonnull %.1474.i)
   br i1 %.79.inv.i.i, label %B764.endif.endif.endif.en...endif.i, label %B48.if.lr.ph.i.i
 
 B48.if.lr.ph.i.i:                                 ; preds = %B762.if.i
   %.idx52.i = shl i64 %.1118925935.i, 4
-  %237 = getelementptr i8, ptr %192, i64 %.idx52.i
-  %238 = getelementptr i8, ptr %237, i64 8
-  %.1739.i = load double, ptr %238, align 8, !noalias !33
-  %.1707.i = load double, ptr %237, align 8, !noalias !33
-  %239 = getelementptr double, ptr %193, i64 %.1118925935.i
-  %.1676.i = load double, ptr %239, align 8, !noalias !33
+  %215 = getelementptr i8, ptr %170, i64 %.idx52.i
+  %216 = getelementptr i8, ptr %215, i64 8
+  %.1739.i = load double, ptr %216, align 8, !noalias !34
+  %.1707.i = load double, ptr %215, align 8, !noalias !34
+  %217 = getelementptr double, ptr %171, i64 %.1118925935.i
+  %.1676.i = load double, ptr %217, align 8, !noalias !34
   %.702.i.i = insertelement <8 x double> poison, double %.1676.i, i64 0
   %.703.i.i = shufflevector <8 x double> %.702.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.743.i.i = fneg contract double %.1739.i
   %.753.i.i = insertelement <8 x double> poison, double %.743.i.i, i64 0
   %.754.i.i = shufflevector <8 x double> %.753.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.757.i.i116 = insertelement <8 x double> poison, double %.1707.i, i64 0
-  %.758.i.i117 = shufflevector <8 x double> %.757.i.i116, <8 x double> poison, <8 x i32> zeroinitializer
-  %.786.i.i118 = insertelement <8 x double> poison, double %.1739.i, i64 0
-  %.787.i.i119 = shufflevector <8 x double> %.786.i.i118, <8 x double> poison, <8 x i32> zeroinitializer
+  %.757.i.i108 = insertelement <8 x double> poison, double %.1707.i, i64 0
+  %.758.i.i = shufflevector <8 x double> %.757.i.i108, <8 x double> poison, <8 x i32> zeroinitializer
+  %.786.i.i109 = insertelement <8 x double> poison, double %.1739.i, i64 0
+  %.787.i.i110 = shufflevector <8 x double> %.786.i.i109, <8 x double> poison, <8 x i32> zeroinitializer
   br label %B48.if.i.i
 
 B48.if.i.i:                                       ; preds = %B48.if.i.i, %B48.if.lr.ph.i.i
-  %lsr.iv58.i = phi i64 [ %lsr.iv.next.i124, %B48.if.i.i ], [ %189, %B48.if.lr.ph.i.i ]
-  %lsr.iv.i120 = phi ptr [ %scevgep244.i, %B48.if.i.i ], [ %scevgep.i114, %B48.if.lr.ph.i.i ]
-  %scevgep253.i = getelementptr i8, ptr %lsr.iv.i120, i64 -7168
-  %.251.i.i121 = load <8 x double>, ptr %scevgep253.i, align 8, !noalias !47
-  %scevgep252.i = getelementptr i8, ptr %lsr.iv.i120, i64 -6144
-  %.346.i.i122 = load <8 x double>, ptr %scevgep252.i, align 8, !noalias !47
-  %scevgep250.i = getelementptr i8, ptr %lsr.iv.i120, i64 %.idx.i115
+  %lsr.iv58.i = phi i64 [ %lsr.iv.next.i118, %B48.if.i.i ], [ %167, %B48.if.lr.ph.i.i ]
+  %lsr.iv.i111 = phi ptr [ %scevgep244.i117, %B48.if.i.i ], [ %scevgep.i103, %B48.if.lr.ph.i.i ]
+  %scevgep253.i = getelementptr i8, ptr %lsr.iv.i111, i64 -7168
+  %.251.i.i112 = load <8 x double>, ptr %scevgep253.i, align 8, !noalias !48
+  %scevgep252.i = getelementptr i8, ptr %lsr.iv.i111, i64 -6144
+  %.346.i.i113 = load <8 x double>, ptr %scevgep252.i, align 8, !noalias !48
+  %scevgep250.i = getelementptr i8, ptr %lsr.iv.i111, i64 %.idx.i105
   %scevgep251.i = getelementptr i8, ptr %scevgep250.i, i64 -3072
-  %.700.i.i = load <8 x double>, ptr %scevgep251.i, align 8, !noalias !47
-  %.704.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.251.i.i121, <8 x double> %.703.i.i, <8 x double> %.700.i.i)
-  store <8 x double> %.704.i.i, ptr %scevgep251.i, align 8, !noalias !47
-  %scevgep249.i = getelementptr i8, ptr %scevgep250.i, i64 -2048
-  %.725.i.i = load <8 x double>, ptr %scevgep249.i, align 8, !noalias !47
-  %.729.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.346.i.i122, <8 x double> %.703.i.i, <8 x double> %.725.i.i)
-  store <8 x double> %.729.i.i, ptr %scevgep249.i, align 8, !noalias !47
+  %.700.i.i = load <8 x double>, ptr %scevgep251.i, align 8, !noalias !48
+  %.704.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.251.i.i112, <8 x double> %.703.i.i, <8 x double> %.700.i.i)
+  store <8 x double> %.704.i.i, ptr %scevgep251.i, align 8, !noalias !48
+  %scevgep249.i114 = getelementptr i8, ptr %scevgep250.i, i64 -2048
+  %.725.i.i = load <8 x double>, ptr %scevgep249.i114, align 8, !noalias !48
+  %.729.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.346.i.i113, <8 x double> %.703.i.i, <8 x double> %.725.i.i)
+  store <8 x double> %.729.i.i, ptr %scevgep249.i114, align 8, !noalias !48
   %scevgep61.i = getelementptr i8, ptr %scevgep250.i, i64 -1024
-  %.752.i.i = load <8 x double>, ptr %scevgep61.i, align 8, !noalias !47
-  %.755.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.346.i.i122, <8 x double> %.754.i.i, <8 x double> %.752.i.i)
-  %.759.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.251.i.i121, <8 x double> %.758.i.i117, <8 x double> %.755.i.i)
-  store <8 x double> %.759.i.i, ptr %scevgep61.i, align 8, !noalias !47
-  %.780.i.i = load <8 x double>, ptr %scevgep250.i, align 8, !noalias !47
-  %.784.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.346.i.i122, <8 x double> %.758.i.i117, <8 x double> %.780.i.i)
-  %.788.i.i123 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.251.i.i121, <8 x double> %.787.i.i119, <8 x double> %.784.i.i)
-  store <8 x double> %.788.i.i123, ptr %scevgep250.i, align 8, !noalias !47
-  %scevgep244.i = getelementptr i8, ptr %lsr.iv.i120, i64 64
-  %lsr.iv.next.i124 = add nsw i64 %lsr.iv58.i, -1
-  %.123.i.i125 = icmp sgt i64 %lsr.iv58.i, 5
-  br i1 %.123.i.i125, label %B48.if.i.i, label %B764.endif.endif.endif.en...endif.i
+  %.752.i.i = load <8 x double>, ptr %scevgep61.i, align 8, !noalias !48
+  %.755.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.346.i.i113, <8 x double> %.754.i.i, <8 x double> %.752.i.i)
+  %.759.i.i115 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.251.i.i112, <8 x double> %.758.i.i, <8 x double> %.755.i.i)
+  store <8 x double> %.759.i.i115, ptr %scevgep61.i, align 8, !noalias !48
+  %.780.i.i = load <8 x double>, ptr %scevgep250.i, align 8, !noalias !48
+  %.784.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.346.i.i113, <8 x double> %.758.i.i, <8 x double> %.780.i.i)
+  %.788.i.i116 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.251.i.i112, <8 x double> %.787.i.i110, <8 x double> %.784.i.i)
+  store <8 x double> %.788.i.i116, ptr %scevgep250.i, align 8, !noalias !48
+  %scevgep244.i117 = getelementptr i8, ptr %lsr.iv.i111, i64 64
+  %lsr.iv.next.i118 = add nsw i64 %lsr.iv58.i, -1
+  %.123.i.i119 = icmp sgt i64 %lsr.iv58.i, 5
+  br i1 %.123.i.i119, label %B48.if.i.i, label %B764.endif.endif.endif.en...endif.i
 
 B764.endif.endif.endif.en...endif.i:              ; preds = %B48.if.i.i, %B762.if.i
-  %exitcond990.not.i = icmp eq i64 %.1125.i, %.82.i
-  br i1 %exitcond990.not.i, label %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v75B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B762.if.i
+  %exitcond990.not.i = icmp eq i64 %.1125.i104, %.82.i
+  br i1 %exitcond990.not.i, label %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v94B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit, label %B762.if.i
 
-_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v75B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B764.endif.endif.endif.en...endif.i, %B732.i
+_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v94B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B764.endif.endif.endif.en...endif.i, %B732.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.1607.i)
   br i1 %50, label %B1190, label %B1018.if.preheader
 
-B1018.if.preheader:                               ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v75B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+B1018.if.preheader:                               ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v94B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
   %.104.i.i.i = icmp sgt i64 %.1057, 0
-  %240 = shl nuw nsw i64 %.13.i, 3
+  %218 = shl nuw nsw i64 %.13.i, 3
   %unroll_iter.i.i.i = and i64 %.13.i, 9223372036854775800
-  %241 = add nsw i64 %unroll_iter.i.i.i, -2
-  %242 = lshr exact i64 %241, 1
-  %243 = add nuw i64 %242, 1
-  %244 = lshr exact i64 %243, 1
-  %245 = mul nsw i64 %244, -2
-  %246 = icmp slt i64 %.1057, 1
-  %247 = shl nuw nsw i64 %.13.i, 3
+  %219 = add nsw i64 %unroll_iter.i.i.i, -2
+  %220 = lshr exact i64 %219, 1
+  %221 = add nuw i64 %220, 1
+  %222 = lshr exact i64 %221, 1
+  %223 = mul nsw i64 %222, -2
+  %224 = icmp slt i64 %.1057, 1
+  %225 = shl nuw nsw i64 %.13.i, 3
   %unroll_iter.i80.i.i = and i64 %.13.i, 9223372036854775800
-  %248 = add nsw i64 %unroll_iter.i80.i.i, -2
-  %249 = lshr exact i64 %248, 1
-  %250 = add nuw i64 %249, 1
-  %251 = lshr exact i64 %250, 1
-  %252 = mul nsw i64 %251, -2
-  %253 = icmp slt i64 %.1057, 1
+  %226 = add nsw i64 %unroll_iter.i80.i.i, -2
+  %227 = lshr exact i64 %226, 1
+  %228 = add nuw i64 %227, 1
+  %229 = lshr exact i64 %228, 1
+  %230 = mul nsw i64 %229, -2
+  %231 = icmp slt i64 %.1057, 1
   %.1077.inv.i.i = icmp slt i64 %.1057, 1
   %.1098.i.i = lshr exact i64 %.13.i, 3
-  %254 = add nuw nsw i64 %.1098.i.i, 4
-  %.423.i.i296 = lshr exact i64 %.13.i, 3
+  %232 = add nuw nsw i64 %.1098.i.i, 4
+  %.423.i.i291 = lshr exact i64 %.13.i, 3
   %.402.inv.i.i = icmp slt i64 %.1057, 1
-  %xtraiter226.i.i = and i64 %.423.i.i296, 3
-  %255 = icmp slt i64 %.1057, 32
-  %256 = add nsw i64 %.423.i.i296, -4
-  %257 = lshr i64 %256, 2
-  %258 = icmp eq i64 %257, 0
-  %259 = add nuw nsw i64 %257, 1
-  %260 = and i64 %259, 9223372036854775806
-  %261 = and i64 %256, 4
-  %lcmp.mod.not.not.i.i = icmp eq i64 %261, 0
+  %xtraiter226.i.i = and i64 %.423.i.i291, 3
+  %233 = icmp slt i64 %.1057, 32
+  %234 = add nsw i64 %.423.i.i291, -4
+  %235 = lshr i64 %234, 2
+  %236 = icmp eq i64 %235, 0
+  %237 = add nuw nsw i64 %235, 1
+  %238 = and i64 %237, 9223372036854775806
+  %239 = and i64 %234, 4
+  %lcmp.mod.not.not.i.i = icmp eq i64 %239, 0
   %lcmp.mod227.not.i.i = icmp eq i64 %xtraiter226.i.i, 0
-  %262 = shl nuw nsw i64 %xtraiter226.i.i, 6
-  %.116.i.i154 = lshr exact i64 %.13.i, 3
+  %240 = shl nuw nsw i64 %xtraiter226.i.i, 6
+  %.116.i.i147 = lshr exact i64 %.13.i, 3
   %.93.inv.i.i = icmp slt i64 %.1057, 1
-  %263 = tail call i64 @llvm.smax.i64(i64 %.116.i.i154, i64 1)
-  %264 = add nuw nsw i64 %.116.i.i154, 4
+  %241 = tail call i64 @llvm.smax.i64(i64 %.116.i.i147, i64 1)
+  %242 = add nuw nsw i64 %.116.i.i147, 4
   %.438.inv.i.i = icmp sgt i64 %.1057, 0
-  %265 = shl nuw i64 %.13.i, 3
-  %266 = and i64 %.116.i.i154, 2305843009213693950
-  %267 = icmp eq i64 %.1057, 8
-  %268 = and i64 %.13.i, 8
-  %269 = icmp eq i64 %268, 0
-  %270 = add nuw nsw i64 %.116.i.i154, 5
+  %243 = shl nuw i64 %.13.i, 3
+  %244 = and i64 %.116.i.i147, 2305843009213693950
+  %245 = icmp eq i64 %.1057, 8
+  %246 = and i64 %.13.i, 8
+  %247 = icmp eq i64 %246, 0
+  %248 = add nuw nsw i64 %.116.i.i147, 5
   br label %B1018.if
 
-B1018.if:                                         ; preds = %B1018.if.preheader, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
-  %lsr.iv248 = phi ptr [ %scevgep249, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.229, %B1018.if.preheader ]
-  %lsr.iv = phi ptr [ %scevgep, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.362, %B1018.if.preheader ]
-  %.1212877881 = phi i64 [ %.1219, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ 0, %B1018.if.preheader ]
+B1018.if:                                         ; preds = %B1018.if.preheader, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v146B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %lsr.iv248 = phi ptr [ %scevgep249, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v146B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.229, %B1018.if.preheader ]
+  %lsr.iv = phi ptr [ %scevgep, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v146B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ %.362, %B1018.if.preheader ]
+  %.1212877881 = phi i64 [ %.1219, %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v146B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit ], [ 0, %B1018.if.preheader ]
   call void @llvm.lifetime.start.p0(ptr nonnull %.869.i)
   call void @llvm.lifetime.start.p0(ptr nonnull %.904.i)
-  store ptr null, ptr %.869.i, align 8, !noalias !50
-  store ptr null, ptr %.904.i, align 8, !noalias !50
-  %.104.i = load i64, ptr %.76, align 8, !noalias !50
-  %.134.i = load i64, ptr %.133.i134, align 8, !noalias !50
-  %.172.i = load i64, ptr %.171.i, align 8, !noalias !50
+  store ptr null, ptr %.869.i, align 8, !noalias !51
+  store ptr null, ptr %.904.i, align 8, !noalias !51
+  %.104.i = load i64, ptr %.76, align 8, !noalias !51
+  %.134.i = load i64, ptr %.133.i129, align 8, !noalias !51
+  %.172.i = load i64, ptr %.171.i, align 8, !noalias !51
   %.247.i = inttoptr i64 %.172.i to ptr
   %.311.i = getelementptr inbounds double, ptr %.247.i, i64 %.1020890909
-  %.289.i.i = load i64, ptr %.143, align 8, !noalias !53
+  %.289.i.i = load i64, ptr %.143, align 8, !noalias !54
   %.290.i.i = sub i64 0, %.289.i.i
   %.298.1.i.i = and i64 %.290.i.i, -8
-  %.332.i.i135 = sub i64 0, %.298.1.i.i
+  %.332.i.i130 = sub i64 0, %.298.1.i.i
   %.340.i.i = icmp eq i64 %.134.i, 0
   br i1 %.340.i.i, label %B224.i.i, label %B398.i.i
 
 B224.i.i:                                         ; preds = %B1018.if
-  br i1 %.402.inv.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B268.if.preheader.i.i
+  br i1 %.402.inv.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v159B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B268.if.preheader.i.i
 
 B268.if.preheader.i.i:                            ; preds = %B224.i.i
-  br i1 %255, label %B268.if.epil.preheader.i.i, label %B268.if.preheader.new.i.i
+  br i1 %233, label %B268.if.epil.preheader.i.i, label %B268.if.preheader.new.i.i
 
 B268.if.preheader.new.i.i:                        ; preds = %B268.if.preheader.i.i
-  br i1 %258, label %B268.if.epil.preheader4.i.i, label %B268.if.i4.i
+  br i1 %236, label %B268.if.epil.preheader4.i.i, label %B268.if.i4.i
 
 B394.loopexit.unr-lcssa.unr-lcssa.i.i:            ; preds = %B268.if.i4.i
   br i1 %lcmp.mod.not.not.i.i, label %B268.if.epil.preheader4.i.i, label %B394.loopexit.unr-lcssa.i.i
 
 B268.if.epil.preheader4.i.i:                      ; preds = %B394.loopexit.unr-lcssa.unr-lcssa.i.i, %B268.if.preheader.new.i.i
   %.450957959.epil.init6.i.i = phi i64 [ 0, %B268.if.preheader.new.i.i ], [ %.457.3.1.i.i, %B394.loopexit.unr-lcssa.unr-lcssa.i.i ]
-  %sunkaddr.epil.i.i310 = shl i64 %.450957959.epil.init6.i.i, 3
-  %sunkaddr292.epil.i.i = getelementptr i8, ptr %.432, i64 %sunkaddr.epil.i.i310
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr292.epil.i.i, align 8, !noalias !53
+  %sunkaddr.epil.i.i = shl i64 %.450957959.epil.init6.i.i, 3
+  %sunkaddr292.epil.i.i = getelementptr i8, ptr %.432, i64 %sunkaddr.epil.i.i
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr292.epil.i.i, align 8, !noalias !54
   %sunkaddr295.epil.i.i = getelementptr i8, ptr %sunkaddr292.epil.i.i, i64 1024
-  store <8 x double> zeroinitializer, ptr %sunkaddr295.epil.i.i, align 8, !noalias !53
+  store <8 x double> zeroinitializer, ptr %sunkaddr295.epil.i.i, align 8, !noalias !54
   %sunkaddr298.epil.i.i = getelementptr i8, ptr %sunkaddr292.epil.i.i, i64 64
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr298.epil.i.i, align 8, !noalias !53
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr298.epil.i.i, align 8, !noalias !54
   %sunkaddr301.epil.i.i = getelementptr i8, ptr %sunkaddr292.epil.i.i, i64 1088
-  store <8 x double> zeroinitializer, ptr %sunkaddr301.epil.i.i, align 8, !noalias !53
+  store <8 x double> zeroinitializer, ptr %sunkaddr301.epil.i.i, align 8, !noalias !54
   %sunkaddr304.epil.i.i = getelementptr i8, ptr %sunkaddr292.epil.i.i, i64 128
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr304.epil.i.i, align 8, !noalias !53
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr304.epil.i.i, align 8, !noalias !54
   %sunkaddr307.epil.i.i = getelementptr i8, ptr %sunkaddr292.epil.i.i, i64 1152
-  store <8 x double> zeroinitializer, ptr %sunkaddr307.epil.i.i, align 8, !noalias !53
+  store <8 x double> zeroinitializer, ptr %sunkaddr307.epil.i.i, align 8, !noalias !54
   %.457.3.epil.i.i = add i64 %.450957959.epil.init6.i.i, 32
   %sunkaddr308.epil.i.i = shl i64 %.457.3.epil.i.i, 3
   %sunkaddr309.epil.i.i = getelementptr i8, ptr %.432, i64 %sunkaddr308.epil.i.i
   %sunkaddr310.epil.i.i = getelementptr i8, ptr %sunkaddr309.epil.i.i, i64 -64
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr310.epil.i.i, align 8, !noalias !53
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr310.epil.i.i, align 8, !noalias !54
   %sunkaddr313.epil.i.i = getelementptr i8, ptr %sunkaddr309.epil.i.i, i64 960
-  store <8 x double> zeroinitializer, ptr %sunkaddr313.epil.i.i, align 8, !noalias !53
+  store <8 x double> zeroinitializer, ptr %sunkaddr313.epil.i.i, align 8, !noalias !54
   br label %B394.loopexit.unr-lcssa.i.i
 
 B394.loopexit.unr-lcssa.i.i:                      ; preds = %B268.if.epil.preheader4.i.i, %B394.loopexit.unr-lcssa.unr-lcssa.i.i
   %.457.3.lcssa.i.i = phi i64 [ %.457.3.epil.i.i, %B268.if.epil.preheader4.i.i ], [ %.457.3.1.i.i, %B394.loopexit.unr-lcssa.unr-lcssa.i.i ]
-  br i1 %lcmp.mod227.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B268.if.epil.preheader.i.i
+  br i1 %lcmp.mod227.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v159B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B268.if.epil.preheader.i.i
 
 B268.if.epil.preheader.i.i:                       ; preds = %B394.loopexit.unr-lcssa.i.i, %B268.if.preheader.i.i
   %.450957959.epil.init.i.i = phi i64 [ 0, %B268.if.preheader.i.i ], [ %.457.3.lcssa.i.i, %B394.loopexit.unr-lcssa.i.i ]
-  %271 = shl i64 %.450957959.epil.init.i.i, 3
-  %272 = getelementptr i8, ptr %.432, i64 %271
-  %scevgep.i.i306 = getelementptr i8, ptr %272, i64 1024
+  %249 = shl i64 %.450957959.epil.init.i.i, 3
+  %250 = getelementptr i8, ptr %.432, i64 %249
+  %scevgep.i.i292 = getelementptr i8, ptr %250, i64 1024
   br label %B268.if.epil.i.i
 
 B268.if.epil.i.i:                                 ; preds = %B268.if.epil.i.i, %B268.if.epil.preheader.i.i
-  %lsr.iv.i.i307 = phi i64 [ %lsr.iv.next.i.i308, %B268.if.epil.i.i ], [ 0, %B268.if.epil.preheader.i.i ]
-  %scevgep232.i.i = getelementptr i8, ptr %scevgep.i.i306, i64 %lsr.iv.i.i307
+  %lsr.iv.i.i293 = phi i64 [ %lsr.iv.next.i.i294, %B268.if.epil.i.i ], [ 0, %B268.if.epil.preheader.i.i ]
+  %scevgep232.i.i = getelementptr i8, ptr %scevgep.i.i292, i64 %lsr.iv.i.i293
   %scevgep233.i.i = getelementptr i8, ptr %scevgep232.i.i, i64 -1024
-  store <8 x double> splat (double 1.000000e+00), ptr %scevgep233.i.i, align 8, !noalias !53
-  store <8 x double> zeroinitializer, ptr %scevgep232.i.i, align 8, !noalias !53
-  %lsr.iv.next.i.i308 = add nuw nsw i64 %lsr.iv.i.i307, 64
-  %epil.iter.cmp.not.i.i309 = icmp eq i64 %262, %lsr.iv.next.i.i308
-  br i1 %epil.iter.cmp.not.i.i309, label %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B268.if.epil.i.i, !llvm.loop !56
+  store <8 x double> splat (double 1.000000e+00), ptr %scevgep233.i.i, align 8, !noalias !54
+  store <8 x double> zeroinitializer, ptr %scevgep232.i.i, align 8, !noalias !54
+  %lsr.iv.next.i.i294 = add nuw nsw i64 %lsr.iv.i.i293, 64
+  %epil.iter.cmp.not.i.i295 = icmp eq i64 %240, %lsr.iv.next.i.i294
+  br i1 %epil.iter.cmp.not.i.i295, label %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v159B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B268.if.epil.i.i, !llvm.loop !57
 
 B398.i.i:                                         ; preds = %B1018.if
-  %.665.i.i136 = shl nsw i64 %.134.i, 3
-  %.695.i.i137 = load i64, ptr %arg.arguments.4, align 8, !noalias !53
-  %.697.i.i = mul nsw i64 %.695.i.i137, %.604928988
+  %.665.i.i131 = shl nsw i64 %.134.i, 3
+  %.695.i.i = load i64, ptr %arg.arguments.4, align 8, !noalias !54
+  %.697.i.i = mul nsw i64 %.695.i.i, %.604928988
   %.701.i.i = add nsw i64 %.697.i.i, %.1212877881
-  %.704.i.i138 = mul nsw i64 %.701.i.i, %.665.i.i136
-  %.735.i.i = load i64, ptr %.734.i.i, align 8, !noalias !53
-  %.738.i.i = mul nsw i64 %.134.i, %.332.i.i135
-  %.818.i.i140 = load i64, ptr %.817.i.i139, align 8, !noalias !53
-  %.819.i.i141 = add nsw i64 %.704.i.i138, %.818.i.i140
+  %.704.i.i132 = mul nsw i64 %.701.i.i, %.665.i.i131
+  %.735.i.i = load i64, ptr %.734.i.i, align 8, !noalias !54
+  %.738.i.i = mul nsw i64 %.134.i, %.332.i.i130
+  %.818.i.i134 = load i64, ptr %.817.i.i133, align 8, !noalias !54
+  %.819.i.i135 = add nsw i64 %.704.i.i132, %.818.i.i134
   br i1 %.104.i.i.i, label %B60.if.preheader.i.i.i, label %B76.i.i.i
 
 B1142.i.i:                                        ; preds = %B926.if.i.i, %B398.endif.endif.endif.endif.endif.endif.endif.i.i
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(2048) %.1448.i.i143, i8 0, i64 2048, i1 false), !noalias !53
-  br label %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(2048) %.1448.i.i136, i8 0, i64 2048, i1 false), !noalias !54
+  br label %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v159B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B268.if.i4.i:                                     ; preds = %B268.if.preheader.new.i.i, %B268.if.i4.i
-  %lsr.iv5.i.i = phi i64 [ %lsr.iv.next6.i.i, %B268.if.i4.i ], [ %260, %B268.if.preheader.new.i.i ]
+  %lsr.iv5.i.i = phi i64 [ %lsr.iv.next6.i.i, %B268.if.i4.i ], [ %238, %B268.if.preheader.new.i.i ]
   %.450957959.i.i = phi i64 [ %.457.3.1.i.i, %B268.if.i4.i ], [ 0, %B268.if.preheader.new.i.i ]
-  %sunkaddr81.i.i297 = shl i64 %.450957959.i.i, 3
-  %sunkaddr82.i.i = getelementptr i8, ptr %.432, i64 %sunkaddr81.i.i297
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr82.i.i, align 8, !noalias !53
+  %sunkaddr81.i.i = shl i64 %.450957959.i.i, 3
+  %sunkaddr82.i.i = getelementptr i8, ptr %.432, i64 %sunkaddr81.i.i
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr82.i.i, align 8, !noalias !54
   %sunkaddr85.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 1024
-  store <8 x double> zeroinitializer, ptr %sunkaddr85.i.i, align 8, !noalias !53
+  store <8 x double> zeroinitializer, ptr %sunkaddr85.i.i, align 8, !noalias !54
   %sunkaddr88.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 64
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr88.i.i, align 8, !noalias !53
-  %sunkaddr90.i.i298 = getelementptr i8, ptr %sunkaddr82.i.i, i64 1088
-  store <8 x double> zeroinitializer, ptr %sunkaddr90.i.i298, align 8, !noalias !53
-  %sunkaddr93.i.i299 = getelementptr i8, ptr %sunkaddr82.i.i, i64 128
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr93.i.i299, align 8, !noalias !53
-  %sunkaddr96.i.i300 = getelementptr i8, ptr %sunkaddr82.i.i, i64 1152
-  store <8 x double> zeroinitializer, ptr %sunkaddr96.i.i300, align 8, !noalias !53
-  %sunkaddr99.i.i301 = getelementptr i8, ptr %sunkaddr82.i.i, i64 192
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr99.i.i301, align 8, !noalias !53
-  %sunkaddr102.i.i302 = getelementptr i8, ptr %sunkaddr82.i.i, i64 1216
-  store <8 x double> zeroinitializer, ptr %sunkaddr102.i.i302, align 8, !noalias !53
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr88.i.i, align 8, !noalias !54
+  %sunkaddr90.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 1088
+  store <8 x double> zeroinitializer, ptr %sunkaddr90.i.i, align 8, !noalias !54
+  %sunkaddr93.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 128
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr93.i.i, align 8, !noalias !54
+  %sunkaddr96.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 1152
+  store <8 x double> zeroinitializer, ptr %sunkaddr96.i.i, align 8, !noalias !54
+  %sunkaddr99.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 192
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr99.i.i, align 8, !noalias !54
+  %sunkaddr102.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 1216
+  store <8 x double> zeroinitializer, ptr %sunkaddr102.i.i, align 8, !noalias !54
   %sunkaddr105.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 256
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr105.i.i, align 8, !noalias !53
-  %sunkaddr108.i.i303 = getelementptr i8, ptr %sunkaddr82.i.i, i64 1280
-  store <8 x double> zeroinitializer, ptr %sunkaddr108.i.i303, align 8, !noalias !53
-  %sunkaddr111.i.i304 = getelementptr i8, ptr %sunkaddr82.i.i, i64 320
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr111.i.i304, align 8, !noalias !53
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr105.i.i, align 8, !noalias !54
+  %sunkaddr108.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 1280
+  store <8 x double> zeroinitializer, ptr %sunkaddr108.i.i, align 8, !noalias !54
+  %sunkaddr111.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 320
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr111.i.i, align 8, !noalias !54
   %sunkaddr114.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 1344
-  store <8 x double> zeroinitializer, ptr %sunkaddr114.i.i, align 8, !noalias !53
-  %sunkaddr117.i.i305 = getelementptr i8, ptr %sunkaddr82.i.i, i64 384
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr117.i.i305, align 8, !noalias !53
+  store <8 x double> zeroinitializer, ptr %sunkaddr114.i.i, align 8, !noalias !54
+  %sunkaddr117.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 384
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr117.i.i, align 8, !noalias !54
   %sunkaddr120.i.i = getelementptr i8, ptr %sunkaddr82.i.i, i64 1408
-  store <8 x double> zeroinitializer, ptr %sunkaddr120.i.i, align 8, !noalias !53
+  store <8 x double> zeroinitializer, ptr %sunkaddr120.i.i, align 8, !noalias !54
   %.457.3.1.i.i = add i64 %.450957959.i.i, 64
   %sunkaddr121.i.i = shl i64 %.457.3.1.i.i, 3
   %sunkaddr122.i.i = getelementptr i8, ptr %.432, i64 %sunkaddr121.i.i
   %sunkaddr124.i.i = getelementptr i8, ptr %sunkaddr122.i.i, i64 -64
-  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr124.i.i, align 8, !noalias !53
+  store <8 x double> splat (double 1.000000e+00), ptr %sunkaddr124.i.i, align 8, !noalias !54
   %sunkaddr127.i.i = getelementptr i8, ptr %sunkaddr122.i.i, i64 960
-  store <8 x double> zeroinitializer, ptr %sunkaddr127.i.i, align 8, !noalias !53
+  store <8 x double> zeroinitializer, ptr %sunkaddr127.i.i, align 8, !noalias !54
   %lsr.iv.next6.i.i = add i64 %lsr.iv5.i.i, -2
   %niter.ncmp.110.i.i = icmp eq i64 %lsr.iv.next6.i.i, 0
   br i1 %niter.ncmp.110.i.i, label %B394.loopexit.unr-lcssa.unr-lcssa.i.i, label %B268.if.i4.i
 
 B60.if.preheader.i.i.i:                           ; preds = %B398.i.i
-  tail call void @llvm.memset.p0.i64(ptr nonnull align 8 %.536.i.i, i8 0, i64 %240, i1 false), !noalias !57
+  tail call void @llvm.memset.p0.i64(ptr nonnull align 8 %.536.i.i, i8 0, i64 %218, i1 false), !noalias !58
   br label %B76.i.i.i
 
 B76.i.i.i:                                        ; preds = %B60.if.preheader.i.i.i, %B398.i.i
@@ -2861,9 +2890,9 @@ B76.i.i.i:                                        ; preds = %B60.if.preheader.i.
   br i1 %.311284.not.i.i.i, label %B398.endif.endif.endif.endif.endif.i.i, label %B128.if.lr.ph.i.i.i
 
 B128.if.lr.ph.i.i.i:                              ; preds = %B76.i.i.i
-  %273 = inttoptr i64 %.735.i.i to ptr
-  %scevgep282.i.i = getelementptr i8, ptr %273, i64 24
-  %274 = inttoptr i64 %.819.i.i141 to ptr
+  %251 = inttoptr i64 %.735.i.i to ptr
+  %scevgep282.i.i = getelementptr i8, ptr %251, i64 24
+  %252 = inttoptr i64 %.819.i.i135 to ptr
   br label %B128.if.i.i.i
 
 B284.i.i.i:                                       ; preds = %B228.if.i.i.i, %B130.else.endif.endif.endif.endif.i.i.i
@@ -2873,13 +2902,13 @@ B284.i.i.i:                                       ; preds = %B228.if.i.i.i, %B13
 B128.if.i.i.i:                                    ; preds = %B284.i.i.i, %B128.if.lr.ph.i.i.i
   %.317279285.i.i.i = phi i64 [ 0, %B128.if.lr.ph.i.i.i ], [ %.324.i.i.i, %B284.i.i.i ]
   %.324.i.i.i = add nuw nsw i64 %.317279285.i.i.i, 1
-  %.350.i.i.i = mul nsw i64 %.317279285.i.i.i, %.332.i.i135
+  %.350.i.i.i = mul nsw i64 %.317279285.i.i.i, %.332.i.i130
   %.352.i.i.i = add nsw i64 %.350.i.i.i, %.1020890909
   %.395.i.i.i = icmp slt i64 %.352.i.i.i, 0
   %.396.i.i.i = select i1 %.395.i.i.i, i64 %.738.i.i, i64 0
   %.397.i.i.i = add i64 %.396.i.i.i, %.352.i.i.i
   %.400.i.i.i = icmp slt i64 %.397.i.i.i, 0
-  br i1 %.400.i.i.i, label %B130.else.if.i.i.i, label %B130.else.endif.i.i.i, !prof !60
+  br i1 %.400.i.i.i, label %B130.else.if.i.i.i, label %B130.else.endif.i.i.i, !prof !61
 
 B130.else.if.i.i.i:                               ; preds = %B128.if.i.i.i
   br label %B130.else.endif.i.i.i
@@ -2887,78 +2916,78 @@ B130.else.if.i.i.i:                               ; preds = %B128.if.i.i.i
 B130.else.endif.i.i.i:                            ; preds = %B130.else.if.i.i.i, %B128.if.i.i.i
   %.385.sroa.0.1.i.i.i = phi i64 [ 0, %B130.else.if.i.i.i ], [ %.397.i.i.i, %B128.if.i.i.i ]
   %.405.not.i.i.i = icmp slt i64 %.397.i.i.i, %.738.i.i
-  br i1 %.405.not.i.i.i, label %B130.else.endif.endif.endif.endif.i.i.i, label %B130.else.endif.if.i.i.i, !prof !61
+  br i1 %.405.not.i.i.i, label %B130.else.endif.endif.endif.endif.i.i.i, label %B130.else.endif.if.i.i.i, !prof !62
 
 B130.else.endif.if.i.i.i:                         ; preds = %B130.else.endif.i.i.i
   br label %B130.else.endif.endif.endif.endif.i.i.i
 
 B130.else.endif.endif.endif.endif.i.i.i:          ; preds = %B130.else.endif.if.i.i.i, %B130.else.endif.i.i.i
   %.385.sroa.0.3.i.i.i = phi i64 [ %.738.i.i, %B130.else.endif.if.i.i.i ], [ %.385.sroa.0.1.i.i.i, %B130.else.endif.i.i.i ]
-  %275 = getelementptr double, ptr %274, i64 %.317279285.i.i.i
-  %.565.i.i.i = load double, ptr %275, align 8, !noalias !57
-  br i1 %246, label %B284.i.i.i, label %B228.if.preheader.i.i.i
+  %253 = getelementptr double, ptr %252, i64 %.317279285.i.i.i
+  %.565.i.i.i = load double, ptr %253, align 8, !noalias !58
+  br i1 %224, label %B284.i.i.i, label %B228.if.preheader.i.i.i
 
 B228.if.preheader.i.i.i:                          ; preds = %B130.else.endif.endif.endif.endif.i.i.i
-  %276 = shl i64 %.385.sroa.0.3.i.i.i, 3
-  %scevgep283.i.i = getelementptr i8, ptr %scevgep282.i.i, i64 %276
+  %254 = shl i64 %.385.sroa.0.3.i.i.i, 3
+  %scevgep283.i.i = getelementptr i8, ptr %scevgep282.i.i, i64 %254
   br label %B228.if.i.i.i
 
 B228.if.i.i.i:                                    ; preds = %B228.if.i.i.i, %B228.if.preheader.i.i.i
-  %lsr.iv63.i.i = phi i64 [ %lsr.iv.next64.i.i, %B228.if.i.i.i ], [ %245, %B228.if.preheader.i.i.i ]
+  %lsr.iv63.i.i = phi i64 [ %lsr.iv.next64.i.i, %B228.if.i.i.i ], [ %223, %B228.if.preheader.i.i.i ]
   %.655272274.i.i.i = phi i64 [ %.662.1.i.1.i.i, %B228.if.i.i.i ], [ 0, %B228.if.preheader.i.i.i ]
   %sunkaddr128.i.i = shl i64 %.655272274.i.i.i, 3
   %sunkaddr129.i.i = getelementptr i8, ptr %.432, i64 %sunkaddr128.i.i
   %sunkaddr130.i.i = getelementptr i8, ptr %sunkaddr129.i.i, i64 2048
-  %.716.i.i.i = load double, ptr %sunkaddr130.i.i, align 8, !noalias !57
+  %.716.i.i.i = load double, ptr %sunkaddr130.i.i, align 8, !noalias !58
   %scevgep79.i.i = getelementptr i8, ptr %scevgep283.i.i, i64 %sunkaddr128.i.i
   %scevgep80.i.i = getelementptr i8, ptr %scevgep79.i.i, i64 -16
   %scevgep78.i.i = getelementptr i8, ptr %scevgep79.i.i, i64 -24
-  %.746.i.i.i = load double, ptr %scevgep78.i.i, align 8, !noalias !57
+  %.746.i.i.i = load double, ptr %scevgep78.i.i, align 8, !noalias !58
   %.748.i.i.i = fmul contract double %.565.i.i.i, %.746.i.i.i
   %.749.i.i.i = fadd contract double %.716.i.i.i, %.748.i.i.i
-  store double %.749.i.i.i, ptr %sunkaddr130.i.i, align 8, !noalias !57
+  store double %.749.i.i.i, ptr %sunkaddr130.i.i, align 8, !noalias !58
   %sunkaddr133.i.i = getelementptr i8, ptr %sunkaddr129.i.i, i64 2056
-  %.716.1.i.i.i = load double, ptr %sunkaddr133.i.i, align 8, !noalias !57
-  %.746.1.i.i.i = load double, ptr %scevgep80.i.i, align 8, !noalias !57
+  %.716.1.i.i.i = load double, ptr %sunkaddr133.i.i, align 8, !noalias !58
+  %.746.1.i.i.i = load double, ptr %scevgep80.i.i, align 8, !noalias !58
   %.748.1.i.i.i = fmul contract double %.565.i.i.i, %.746.1.i.i.i
   %.749.1.i.i.i = fadd contract double %.716.1.i.i.i, %.748.1.i.i.i
-  store double %.749.1.i.i.i, ptr %sunkaddr133.i.i, align 8, !noalias !57
+  store double %.749.1.i.i.i, ptr %sunkaddr133.i.i, align 8, !noalias !58
   %sunkaddr137.i.i = getelementptr i8, ptr %sunkaddr129.i.i, i64 2064
-  %.716.i.1.i.i = load double, ptr %sunkaddr137.i.i, align 8, !noalias !57
+  %.716.i.1.i.i = load double, ptr %sunkaddr137.i.i, align 8, !noalias !58
   %scevgep76.i.i = getelementptr i8, ptr %scevgep79.i.i, i64 -8
-  %.746.i.1.i.i = load double, ptr %scevgep76.i.i, align 8, !noalias !57
+  %.746.i.1.i.i = load double, ptr %scevgep76.i.i, align 8, !noalias !58
   %.748.i.1.i.i = fmul contract double %.565.i.i.i, %.746.i.1.i.i
   %.749.i.1.i.i = fadd contract double %.716.i.1.i.i, %.748.i.1.i.i
-  store double %.749.i.1.i.i, ptr %sunkaddr137.i.i, align 8, !noalias !57
+  store double %.749.i.1.i.i, ptr %sunkaddr137.i.i, align 8, !noalias !58
   %.662.1.i.1.i.i = add i64 %.655272274.i.i.i, 4
   %sunkaddr138.i.i = shl i64 %.662.1.i.1.i.i, 3
   %sunkaddr139.i.i = getelementptr i8, ptr %.432, i64 %sunkaddr138.i.i
   %sunkaddr140.i.i = getelementptr i8, ptr %sunkaddr139.i.i, i64 2040
-  %.716.1.i.1.i.i = load double, ptr %sunkaddr140.i.i, align 8, !noalias !57
-  %.746.1.i.1.i.i = load double, ptr %scevgep79.i.i, align 8, !noalias !57
+  %.716.1.i.1.i.i = load double, ptr %sunkaddr140.i.i, align 8, !noalias !58
+  %.746.1.i.1.i.i = load double, ptr %scevgep79.i.i, align 8, !noalias !58
   %.748.1.i.1.i.i = fmul contract double %.565.i.i.i, %.746.1.i.1.i.i
   %.749.1.i.1.i.i = fadd contract double %.716.1.i.1.i.i, %.748.1.i.1.i.i
-  store double %.749.1.i.1.i.i, ptr %sunkaddr140.i.i, align 8, !noalias !57
+  store double %.749.1.i.1.i.i, ptr %sunkaddr140.i.i, align 8, !noalias !58
   %lsr.iv.next64.i.i = add i64 %lsr.iv63.i.i, 2
-  %niter.ncmp.1.i.i142 = icmp eq i64 %lsr.iv.next64.i.i, 0
-  br i1 %niter.ncmp.1.i.i142, label %B284.i.i.i, label %B228.if.i.i.i
+  %niter.ncmp.1.i.i = icmp eq i64 %lsr.iv.next64.i.i, 0
+  br i1 %niter.ncmp.1.i.i, label %B284.i.i.i, label %B228.if.i.i.i
 
 B398.endif.endif.endif.endif.endif.i.i:           ; preds = %B284.i.i.i, %B76.i.i.i
-  %.936.i.i = load i64, ptr %.935.i.i, align 8, !noalias !53
-  %.942.i.i = add nsw i64 %.936.i.i, %.704.i.i138
+  %.936.i.i = load i64, ptr %.935.i.i, align 8, !noalias !54
+  %.942.i.i = add nsw i64 %.936.i.i, %.704.i.i132
   br i1 %.104.i.i.i, label %B60.if.preheader.i128.i.i, label %B76.i77.i.i
 
 B60.if.preheader.i128.i.i:                        ; preds = %B398.endif.endif.endif.endif.endif.i.i
-  tail call void @llvm.memset.p0.i64(ptr nonnull align 8 %.607.i.i, i8 0, i64 %247, i1 false), !noalias !62
+  tail call void @llvm.memset.p0.i64(ptr nonnull align 8 %.607.i.i, i8 0, i64 %225, i1 false), !noalias !63
   br label %B76.i77.i.i
 
 B76.i77.i.i:                                      ; preds = %B60.if.preheader.i128.i.i, %B398.endif.endif.endif.endif.endif.i.i
   br i1 %.311284.not.i.i.i, label %B398.endif.endif.endif.endif.endif.endif.endif.i.i, label %B128.if.lr.ph.i79.i.i
 
 B128.if.lr.ph.i79.i.i:                            ; preds = %B76.i77.i.i
-  %277 = inttoptr i64 %.735.i.i to ptr
-  %scevgep264.i.i = getelementptr i8, ptr %277, i64 24
-  %278 = inttoptr i64 %.942.i.i to ptr
+  %255 = inttoptr i64 %.735.i.i to ptr
+  %scevgep264.i.i = getelementptr i8, ptr %255, i64 24
+  %256 = inttoptr i64 %.942.i.i to ptr
   br label %B128.if.i82.i.i
 
 B284.i125.i.i:                                    ; preds = %B228.if.i102.i.i, %B130.else.endif.endif.endif.endif.i95.i.i
@@ -2968,13 +2997,13 @@ B284.i125.i.i:                                    ; preds = %B228.if.i102.i.i, %
 B128.if.i82.i.i:                                  ; preds = %B284.i125.i.i, %B128.if.lr.ph.i79.i.i
   %.317279285.i83.i.i = phi i64 [ 0, %B128.if.lr.ph.i79.i.i ], [ %.324.i84.i.i, %B284.i125.i.i ]
   %.324.i84.i.i = add nuw nsw i64 %.317279285.i83.i.i, 1
-  %.350.i85.i.i = mul nsw i64 %.317279285.i83.i.i, %.332.i.i135
+  %.350.i85.i.i = mul nsw i64 %.317279285.i83.i.i, %.332.i.i130
   %.352.i86.i.i = add nsw i64 %.350.i85.i.i, %.1020890909
   %.395.i87.i.i = icmp slt i64 %.352.i86.i.i, 0
   %.396.i88.i.i = select i1 %.395.i87.i.i, i64 %.738.i.i, i64 0
   %.397.i89.i.i = add i64 %.396.i88.i.i, %.352.i86.i.i
   %.400.i90.i.i = icmp slt i64 %.397.i89.i.i, 0
-  br i1 %.400.i90.i.i, label %B130.else.if.i127.i.i, label %B130.else.endif.i91.i.i, !prof !60
+  br i1 %.400.i90.i.i, label %B130.else.if.i127.i.i, label %B130.else.endif.i91.i.i, !prof !61
 
 B130.else.if.i127.i.i:                            ; preds = %B128.if.i82.i.i
   br label %B130.else.endif.i91.i.i
@@ -2982,58 +3011,58 @@ B130.else.if.i127.i.i:                            ; preds = %B128.if.i82.i.i
 B130.else.endif.i91.i.i:                          ; preds = %B130.else.if.i127.i.i, %B128.if.i82.i.i
   %.385.sroa.0.1.i92.i.i = phi i64 [ 0, %B130.else.if.i127.i.i ], [ %.397.i89.i.i, %B128.if.i82.i.i ]
   %.405.not.i93.i.i = icmp slt i64 %.397.i89.i.i, %.738.i.i
-  br i1 %.405.not.i93.i.i, label %B130.else.endif.endif.endif.endif.i95.i.i, label %B130.else.endif.if.i94.i.i, !prof !61
+  br i1 %.405.not.i93.i.i, label %B130.else.endif.endif.endif.endif.i95.i.i, label %B130.else.endif.if.i94.i.i, !prof !62
 
 B130.else.endif.if.i94.i.i:                       ; preds = %B130.else.endif.i91.i.i
   br label %B130.else.endif.endif.endif.endif.i95.i.i
 
 B130.else.endif.endif.endif.endif.i95.i.i:        ; preds = %B130.else.endif.if.i94.i.i, %B130.else.endif.i91.i.i
   %.385.sroa.0.3.i96.i.i = phi i64 [ %.738.i.i, %B130.else.endif.if.i94.i.i ], [ %.385.sroa.0.1.i92.i.i, %B130.else.endif.i91.i.i ]
-  %279 = getelementptr double, ptr %278, i64 %.317279285.i83.i.i
-  %.565.i98.i.i = load double, ptr %279, align 8, !noalias !62
-  br i1 %253, label %B284.i125.i.i, label %B228.if.preheader.i99.i.i
+  %257 = getelementptr double, ptr %256, i64 %.317279285.i83.i.i
+  %.565.i98.i.i = load double, ptr %257, align 8, !noalias !63
+  br i1 %231, label %B284.i125.i.i, label %B228.if.preheader.i99.i.i
 
 B228.if.preheader.i99.i.i:                        ; preds = %B130.else.endif.endif.endif.endif.i95.i.i
-  %280 = shl i64 %.385.sroa.0.3.i96.i.i, 3
-  %scevgep265.i.i = getelementptr i8, ptr %scevgep264.i.i, i64 %280
+  %258 = shl i64 %.385.sroa.0.3.i96.i.i, 3
+  %scevgep265.i.i = getelementptr i8, ptr %scevgep264.i.i, i64 %258
   br label %B228.if.i102.i.i
 
 B228.if.i102.i.i:                                 ; preds = %B228.if.i102.i.i, %B228.if.preheader.i99.i.i
-  %lsr.iv41.i.i = phi i64 [ %lsr.iv.next42.i.i, %B228.if.i102.i.i ], [ %252, %B228.if.preheader.i99.i.i ]
+  %lsr.iv41.i.i = phi i64 [ %lsr.iv.next42.i.i, %B228.if.i102.i.i ], [ %230, %B228.if.preheader.i99.i.i ]
   %.655272274.i103.i.i = phi i64 [ %.662.1.i111.1.i.i, %B228.if.i102.i.i ], [ 0, %B228.if.preheader.i99.i.i ]
   %sunkaddr141.i.i = shl i64 %.655272274.i103.i.i, 3
   %sunkaddr142.i.i = getelementptr i8, ptr %.432, i64 %sunkaddr141.i.i
   %sunkaddr143.i.i = getelementptr i8, ptr %sunkaddr142.i.i, i64 3072
-  %.716.i105.i.i = load double, ptr %sunkaddr143.i.i, align 8, !noalias !62
+  %.716.i105.i.i = load double, ptr %sunkaddr143.i.i, align 8, !noalias !63
   %scevgep59.i.i = getelementptr i8, ptr %scevgep265.i.i, i64 %sunkaddr141.i.i
   %scevgep62.i.i = getelementptr i8, ptr %scevgep59.i.i, i64 -16
   %scevgep56.i.i = getelementptr i8, ptr %scevgep59.i.i, i64 -24
-  %.746.i108.i.i = load double, ptr %scevgep56.i.i, align 8, !noalias !62
+  %.746.i108.i.i = load double, ptr %scevgep56.i.i, align 8, !noalias !63
   %.748.i109.i.i = fmul contract double %.565.i98.i.i, %.746.i108.i.i
   %.749.i110.i.i = fadd contract double %.716.i105.i.i, %.748.i109.i.i
-  store double %.749.i110.i.i, ptr %sunkaddr143.i.i, align 8, !noalias !62
+  store double %.749.i110.i.i, ptr %sunkaddr143.i.i, align 8, !noalias !63
   %sunkaddr146.i.i = getelementptr i8, ptr %sunkaddr142.i.i, i64 3080
-  %.716.1.i113.i.i = load double, ptr %sunkaddr146.i.i, align 8, !noalias !62
-  %.746.1.i114.i.i = load double, ptr %scevgep62.i.i, align 8, !noalias !62
+  %.716.1.i113.i.i = load double, ptr %sunkaddr146.i.i, align 8, !noalias !63
+  %.746.1.i114.i.i = load double, ptr %scevgep62.i.i, align 8, !noalias !63
   %.748.1.i115.i.i = fmul contract double %.565.i98.i.i, %.746.1.i114.i.i
   %.749.1.i116.i.i = fadd contract double %.716.1.i113.i.i, %.748.1.i115.i.i
-  store double %.749.1.i116.i.i, ptr %sunkaddr146.i.i, align 8, !noalias !62
+  store double %.749.1.i116.i.i, ptr %sunkaddr146.i.i, align 8, !noalias !63
   %sunkaddr149.i.i = getelementptr i8, ptr %sunkaddr142.i.i, i64 3088
-  %.716.i105.1.i.i = load double, ptr %sunkaddr149.i.i, align 8, !noalias !62
+  %.716.i105.1.i.i = load double, ptr %sunkaddr149.i.i, align 8, !noalias !63
   %scevgep54.i.i = getelementptr i8, ptr %scevgep59.i.i, i64 -8
-  %.746.i108.1.i.i = load double, ptr %scevgep54.i.i, align 8, !noalias !62
+  %.746.i108.1.i.i = load double, ptr %scevgep54.i.i, align 8, !noalias !63
   %.748.i109.1.i.i = fmul contract double %.565.i98.i.i, %.746.i108.1.i.i
   %.749.i110.1.i.i = fadd contract double %.716.i105.1.i.i, %.748.i109.1.i.i
-  store double %.749.i110.1.i.i, ptr %sunkaddr149.i.i, align 8, !noalias !62
+  store double %.749.i110.1.i.i, ptr %sunkaddr149.i.i, align 8, !noalias !63
   %.662.1.i111.1.i.i = add i64 %.655272274.i103.i.i, 4
   %sunkaddr150.i.i = shl i64 %.662.1.i111.1.i.i, 3
   %sunkaddr151.i.i = getelementptr i8, ptr %.432, i64 %sunkaddr150.i.i
   %sunkaddr152.i.i = getelementptr i8, ptr %sunkaddr151.i.i, i64 3064
-  %.716.1.i113.1.i.i = load double, ptr %sunkaddr152.i.i, align 8, !noalias !62
-  %.746.1.i114.1.i.i = load double, ptr %scevgep59.i.i, align 8, !noalias !62
+  %.716.1.i113.1.i.i = load double, ptr %sunkaddr152.i.i, align 8, !noalias !63
+  %.746.1.i114.1.i.i = load double, ptr %scevgep59.i.i, align 8, !noalias !63
   %.748.1.i115.1.i.i = fmul contract double %.565.i98.i.i, %.746.1.i114.1.i.i
   %.749.1.i116.1.i.i = fadd contract double %.716.1.i113.1.i.i, %.748.1.i115.1.i.i
-  store double %.749.1.i116.1.i.i, ptr %sunkaddr152.i.i, align 8, !noalias !62
+  store double %.749.1.i116.1.i.i, ptr %sunkaddr152.i.i, align 8, !noalias !63
   %lsr.iv.next42.i.i = add i64 %lsr.iv41.i.i, 2
   %niter225.ncmp.1.i.i = icmp eq i64 %lsr.iv.next42.i.i, 0
   br i1 %niter225.ncmp.1.i.i, label %B284.i125.i.i, label %B228.if.i102.i.i
@@ -3042,41 +3071,41 @@ B398.endif.endif.endif.endif.endif.endif.endif.i.i: ; preds = %B284.i125.i.i, %B
   br i1 %.1077.inv.i.i, label %B1142.i.i, label %B926.if.i.i
 
 B926.if.i.i:                                      ; preds = %B398.endif.endif.endif.endif.endif.endif.endif.i.i, %B926.if.i.i
-  %lsr.iv39.i.i = phi i64 [ %lsr.iv.next40.i.i, %B926.if.i.i ], [ %254, %B398.endif.endif.endif.endif.endif.endif.endif.i.i ]
+  %lsr.iv39.i.i = phi i64 [ %lsr.iv.next40.i.i, %B926.if.i.i ], [ %232, %B398.endif.endif.endif.endif.endif.endif.endif.i.i ]
   %lsr.iv251.i.i = phi ptr [ %scevgep252.i.i, %B926.if.i.i ], [ %.607.i.i, %B398.endif.endif.endif.endif.endif.endif.endif.i.i ]
-  %.1166.i.i = load <8 x double>, ptr %lsr.iv251.i.i, align 8, !noalias !53
+  %.1166.i.i = load <8 x double>, ptr %lsr.iv251.i.i, align 8, !noalias !54
   %scevgep255.i.i = getelementptr i8, ptr %lsr.iv251.i.i, i64 -1024
-  %.1176.i.i = load <8 x double>, ptr %scevgep255.i.i, align 8, !noalias !53
+  %.1176.i.i = load <8 x double>, ptr %scevgep255.i.i, align 8, !noalias !54
   %.8.i.i1.i = fadd contract <8 x double> %.1176.i.i, splat (double 1.000000e+00)
   %.1203.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1166.i.i, <8 x double> %.1166.i.i, <8 x double> splat (double 4.000000e+00))
   %.6.i.i2.i = fdiv contract <8 x double> %.8.i.i1.i, %.1203.i.i
-  %281 = fmul contract <8 x double> %.1166.i.i, %.1166.i.i
-  %.8.i132.i.i = fsub contract <8 x double> splat (double 4.000000e+00), %281
+  %259 = fmul contract <8 x double> %.1166.i.i, %.1166.i.i
+  %.8.i132.i.i = fsub contract <8 x double> splat (double 4.000000e+00), %259
   %.6.i133.i3.i = fmul contract <8 x double> %.8.i132.i.i, %.6.i.i2.i
   %scevgep254.i.i = getelementptr i8, ptr %lsr.iv251.i.i, i64 -3072
-  store <8 x double> %.6.i133.i3.i, ptr %scevgep254.i.i, align 8, !noalias !53
+  store <8 x double> %.6.i133.i3.i, ptr %scevgep254.i.i, align 8, !noalias !54
   %.6.i134.i.i = fmul contract <8 x double> %.1166.i.i, %.6.i.i2.i
   %.8.i135.i.i = fmul contract <8 x double> %.6.i134.i.i, splat (double 4.000000e+00)
   %scevgep253.i.i = getelementptr i8, ptr %lsr.iv251.i.i, i64 -2048
-  store <8 x double> %.8.i135.i.i, ptr %scevgep253.i.i, align 8, !noalias !53
+  store <8 x double> %.8.i135.i.i, ptr %scevgep253.i.i, align 8, !noalias !54
   %scevgep252.i.i = getelementptr i8, ptr %lsr.iv251.i.i, i64 64
   %lsr.iv.next40.i.i = add nsw i64 %lsr.iv39.i.i, -1
   %.1119.i.i = icmp sgt i64 %lsr.iv39.i.i, 5
   br i1 %.1119.i.i, label %B926.if.i.i, label %B1142.i.i
 
-_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B268.if.epil.i.i, %B1142.i.i, %B394.loopexit.unr-lcssa.i.i, %B224.i.i
-  %.501.i = load i64, ptr %.500.i, align 8, !noalias !50
+_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v159B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B268.if.epil.i.i, %B1142.i.i, %B394.loopexit.unr-lcssa.i.i, %B224.i.i
+  %.501.i = load i64, ptr %.500.i, align 8, !noalias !51
   %.502.i = icmp eq i64 %.501.i, 0
   br i1 %.502.i, label %B372.i, label %B420.i
 
-B372.i:                                           ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B372.i:                                           ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v159B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %.536.i = getelementptr i8, ptr %lsr.iv248, i64 160
-  %.537.i = load double, ptr %.536.i, align 8, !noalias !50
+  %.537.i = load double, ptr %.536.i, align 8, !noalias !51
   %.538.i = fcmp contract oeq double %.537.i, 0.000000e+00
   br label %B420.i
 
-B420.i:                                           ; preds = %B372.i, %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %"$phi420.0.2.0.i" = phi i1 [ %.538.i, %B372.i ], [ false, %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+B420.i:                                           ; preds = %B372.i, %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v159B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %"$phi420.0.2.0.i" = phi i1 [ %.538.i, %B372.i ], [ false, %_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v159B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %.586.i = icmp sgt i64 %.104.i, 0
   br i1 %.586.i, label %B452.if.lr.ph.i, label %B1406.i
 
@@ -3086,17 +3115,17 @@ B452.if.lr.ph.i:                                  ; preds = %B420.i
   %sunkaddr8.i.i = getelementptr i8, ptr %lsr.iv248, i64 24
   %sunkaddr9.i.i = getelementptr i8, ptr %lsr.iv248, i64 16
   %sunkaddr10.i.i = getelementptr i8, ptr %lsr.iv248, i64 8
-  %sunkaddr11.i.i155 = getelementptr i8, ptr %lsr.iv248, i64 40
-  %sunkaddr12.i.i156 = getelementptr i8, ptr %lsr.iv248, i64 32
+  %sunkaddr11.i.i148 = getelementptr i8, ptr %lsr.iv248, i64 40
+  %sunkaddr12.i.i149 = getelementptr i8, ptr %lsr.iv248, i64 32
   %sunkaddr13.i.i = getelementptr i8, ptr %lsr.iv248, i64 64
-  %sunkaddr14.i.i157 = getelementptr i8, ptr %lsr.iv248, i64 56
+  %sunkaddr14.i.i150 = getelementptr i8, ptr %lsr.iv248, i64 56
   %sunkaddr15.i.i = getelementptr i8, ptr %lsr.iv248, i64 48
-  %sunkaddr16.i.i158 = getelementptr i8, ptr %lsr.iv248, i64 80
+  %sunkaddr16.i.i151 = getelementptr i8, ptr %lsr.iv248, i64 80
   %sunkaddr17.i.i = getelementptr i8, ptr %lsr.iv248, i64 72
   %sunkaddr18.i.i = getelementptr i8, ptr %lsr.iv, i64 16
-  %sunkaddr19.i.i159 = getelementptr i8, ptr %lsr.iv, i64 8
-  %sunkaddr.i.i160 = getelementptr i8, ptr %lsr.iv, i64 32
-  %sunkaddr20.i.i161 = getelementptr i8, ptr %lsr.iv, i64 24
+  %sunkaddr19.i.i152 = getelementptr i8, ptr %lsr.iv, i64 8
+  %sunkaddr.i.i153 = getelementptr i8, ptr %lsr.iv, i64 32
+  %sunkaddr20.i.i154 = getelementptr i8, ptr %lsr.iv, i64 24
   %sunkaddr21.i.i = getelementptr i8, ptr %lsr.iv, i64 56
   %sunkaddr22.i.i = getelementptr i8, ptr %lsr.iv, i64 48
   %sunkaddr23.i.i = getelementptr i8, ptr %lsr.iv, i64 40
@@ -3110,73 +3139,73 @@ B492.i:                                           ; preds = %B452.if.i
   br i1 %.93.inv.i.i, label %B918.i, label %B152.if.lr.ph.i.i
 
 B152.if.lr.ph.i.i:                                ; preds = %B492.i
-  %.190.i.i = load double, ptr %sunkaddr15.i.i, align 8, !noalias !65
-  %.220.i.i = load double, ptr %sunkaddr14.i.i157, align 8, !noalias !65
+  %.190.i.i = load double, ptr %sunkaddr15.i.i, align 8, !noalias !66
+  %.220.i.i = load double, ptr %sunkaddr14.i.i150, align 8, !noalias !66
   %.221.i.i = fadd contract double %.190.i.i, %.220.i.i
-  %.251.i.i280 = load double, ptr %sunkaddr17.i.i, align 8, !noalias !65
-  %.255.i.i281 = fadd contract double %.221.i.i, %.251.i.i280
-  %.150.i.i = load double, ptr %sunkaddr12.i.i156, align 8, !noalias !65
-  %.119.i.i = load double, ptr %sunkaddr9.i.i, align 8, !noalias !65
-  %.89.i.i = load double, ptr %sunkaddr10.i.i, align 8, !noalias !65
+  %.251.i.i278 = load double, ptr %sunkaddr17.i.i, align 8, !noalias !66
+  %.255.i.i279 = fadd contract double %.221.i.i, %.251.i.i278
+  %.150.i.i = load double, ptr %sunkaddr12.i.i149, align 8, !noalias !66
+  %.119.i.i = load double, ptr %sunkaddr9.i.i, align 8, !noalias !66
+  %.89.i.i = load double, ptr %sunkaddr10.i.i, align 8, !noalias !66
   %.120.i.i = fadd contract double %.119.i.i, %.89.i.i
-  %.154.i.i282 = fadd contract double %.150.i.i, %.120.i.i
-  %.600.i.i = insertelement <8 x double> poison, double %.154.i.i282, i64 0
+  %.154.i.i280 = fadd contract double %.150.i.i, %.120.i.i
+  %.600.i.i = insertelement <8 x double> poison, double %.154.i.i280, i64 0
   %.601.i.i = shufflevector <8 x double> %.600.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i.i.i283 = insertelement <8 x double> poison, double %.255.i.i281, i64 0
-  %.7.i.i.i284 = shufflevector <8 x double> %.6.i.i.i283, <8 x double> poison, <8 x i32> zeroinitializer
+  %.6.i.i.i281 = insertelement <8 x double> poison, double %.255.i.i279, i64 0
+  %.7.i.i.i282 = shufflevector <8 x double> %.6.i.i.i281, <8 x double> poison, <8 x i32> zeroinitializer
   br label %B152.if.i.i
 
 B558.i.i:                                         ; preds = %B152.if.i.i
-  %.932.i.i = load <8 x double>, ptr %lsr.iv190.i, align 8, !noalias !65
-  %scevgep192.i293 = getelementptr i8, ptr %lsr.iv190.i, i64 1024
-  %.1028.i.i294 = load <8 x double>, ptr %scevgep192.i293, align 8, !noalias !65
-  %282 = fneg contract <8 x double> %.1028.i.i294
-  %.8.i111.i.i = fmul contract <8 x double> %.830.i.i, %282
+  %.932.i.i = load <8 x double>, ptr %lsr.iv190.i, align 8, !noalias !66
+  %scevgep192.i = getelementptr i8, ptr %lsr.iv190.i, i64 1024
+  %.1028.i.i289 = load <8 x double>, ptr %scevgep192.i, align 8, !noalias !66
+  %260 = fneg contract <8 x double> %.1028.i.i289
+  %.8.i111.i.i = fmul contract <8 x double> %.830.i.i, %260
   %.6.i112.i.i = fmul contract <8 x double> %.830.i.i, %.932.i.i
-  %.1086.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.602.i.i288, <8 x double> %.932.i.i, <8 x double> %.8.i111.i.i)
-  %.1111.i.i295 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.602.i.i288, <8 x double> %.1028.i.i294, <8 x double> %.6.i112.i.i)
+  %.1086.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.602.i.i, <8 x double> %.932.i.i, <8 x double> %.8.i111.i.i)
+  %.1111.i.i290 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.602.i.i, <8 x double> %.1028.i.i289, <8 x double> %.6.i112.i.i)
   br label %B742.i.i
 
 B742.i.i:                                         ; preds = %B152.if.i.i, %B558.i.i
-  %sr.2.1.i.i = phi <8 x double> [ %.1086.i.i, %B558.i.i ], [ %.602.i.i288, %B152.if.i.i ]
-  %si.2.1.i.i = phi <8 x double> [ %.1111.i.i295, %B558.i.i ], [ %.830.i.i, %B152.if.i.i ]
+  %sr.2.1.i.i = phi <8 x double> [ %.1086.i.i, %B558.i.i ], [ %.602.i.i, %B152.if.i.i ]
+  %si.2.1.i.i = phi <8 x double> [ %.1111.i.i290, %B558.i.i ], [ %.830.i.i, %B152.if.i.i ]
   %scevgep63.i = getelementptr i8, ptr %scevgep204.i, i64 -1024
-  store <8 x double> %sr.2.1.i.i, ptr %scevgep63.i, align 8, !noalias !65
-  store <8 x double> %si.2.1.i.i, ptr %scevgep204.i, align 8, !noalias !65
+  store <8 x double> %sr.2.1.i.i, ptr %scevgep63.i, align 8, !noalias !66
+  store <8 x double> %si.2.1.i.i, ptr %scevgep204.i, align 8, !noalias !66
   %scevgep191.i = getelementptr i8, ptr %lsr.iv190.i, i64 64
-  %lsr.iv.next59.i = add nsw i64 %lsr.iv58.i285, -1
-  %.343.i.i292 = icmp sgt i64 %lsr.iv58.i285, 5
-  br i1 %.343.i.i292, label %B152.if.i.i, label %B918.i
+  %lsr.iv.next59.i = add nsw i64 %lsr.iv58.i283, -1
+  %.343.i.i288 = icmp sgt i64 %lsr.iv58.i283, 5
+  br i1 %.343.i.i288, label %B152.if.i.i, label %B918.i
 
 B152.if.i.i:                                      ; preds = %B742.i.i, %B152.if.lr.ph.i.i
-  %lsr.iv58.i285 = phi i64 [ %lsr.iv.next59.i, %B742.i.i ], [ %264, %B152.if.lr.ph.i.i ]
+  %lsr.iv58.i283 = phi i64 [ %lsr.iv.next59.i, %B742.i.i ], [ %242, %B152.if.lr.ph.i.i ]
   %lsr.iv190.i = phi ptr [ %scevgep191.i, %B742.i.i ], [ %.432, %B152.if.lr.ph.i.i ]
   %scevgep204.i = getelementptr i8, ptr %lsr.iv190.i, i64 %lsr.iv193.i
-  %scevgep205.i286 = getelementptr i8, ptr %scevgep204.i, i64 -7168
-  %.475.i.i = load <8 x double>, ptr %scevgep205.i286, align 8, !noalias !65
+  %scevgep205.i = getelementptr i8, ptr %scevgep204.i, i64 -7168
+  %.475.i.i = load <8 x double>, ptr %scevgep205.i, align 8, !noalias !66
   %scevgep203.i = getelementptr i8, ptr %scevgep204.i, i64 -5120
-  %.570.i.i = load <8 x double>, ptr %scevgep203.i, align 8, !noalias !65
-  %.8.i.i.i287 = fmul contract <8 x double> %.7.i.i.i284, %.570.i.i
-  %.602.i.i288 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.475.i.i, <8 x double> %.601.i.i, <8 x double> %.8.i.i.i287)
-  %scevgep68.i289 = getelementptr i8, ptr %scevgep204.i, i64 -6144
-  %.702.i.i290 = load <8 x double>, ptr %scevgep68.i289, align 8, !noalias !65
+  %.570.i.i = load <8 x double>, ptr %scevgep203.i, align 8, !noalias !66
+  %.8.i.i.i284 = fmul contract <8 x double> %.7.i.i.i282, %.570.i.i
+  %.602.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.475.i.i, <8 x double> %.601.i.i, <8 x double> %.8.i.i.i284)
+  %scevgep68.i285 = getelementptr i8, ptr %scevgep204.i, i64 -6144
+  %.702.i.i286 = load <8 x double>, ptr %scevgep68.i285, align 8, !noalias !66
   %scevgep66.i = getelementptr i8, ptr %scevgep204.i, i64 -4096
-  %.798.i.i291 = load <8 x double>, ptr %scevgep66.i, align 8, !noalias !65
-  %.8.i104.i.i = fmul contract <8 x double> %.7.i.i.i284, %.798.i.i291
-  %.830.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.702.i.i290, <8 x double> %.601.i.i, <8 x double> %.8.i104.i.i)
+  %.798.i.i287 = load <8 x double>, ptr %scevgep66.i, align 8, !noalias !66
+  %.8.i104.i.i = fmul contract <8 x double> %.7.i.i.i282, %.798.i.i287
+  %.830.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.702.i.i286, <8 x double> %.601.i.i, <8 x double> %.8.i104.i.i)
   br i1 %.761.i, label %B558.i.i, label %B742.i.i
 
 B540.i:                                           ; preds = %B452.if.i
-  %.833.i = load double, ptr %sunkaddr81.i, align 8, !noalias !50
+  %.833.i = load double, ptr %sunkaddr81.i, align 8, !noalias !51
   %.834.i = fcmp contract ogt double %.833.i, 0.000000e+00
   br i1 %.834.i, label %B590.i, label %B742.i
 
 B590.i:                                           ; preds = %B540.i
-  %.157.i.i279 = getelementptr i8, ptr %313, i64 24576
-  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(12288) %.157.i.i279, i8 0, i64 12288, i1 false), !noalias !68
-  store ptr null, ptr %.869.i, align 8, !noalias !50
+  %.157.i.i277 = getelementptr i8, ptr %291, i64 24576
+  tail call void @llvm.memset.p0.i64(ptr noundef nonnull align 8 dereferenceable(12288) %.157.i.i277, i8 0, i64 12288, i1 false), !noalias !69
+  store ptr null, ptr %.869.i, align 8, !noalias !51
   call fastcc void @inner_2(ptr nonnull %.869.i, ptr readonly %lsr.iv248, i64 17, double 1.000000e+00, ptr %.311.i, i64 range(i64 -9223372036854775808, 129) %.13.i, i64 range(i64 -9223372036854775808, 129) %.13.i, ptr %.688.i)
-  store ptr null, ptr %.904.i, align 8, !noalias !50
+  store ptr null, ptr %.904.i, align 8, !noalias !51
   call fastcc void @inner_2(ptr nonnull %.904.i, ptr readonly %lsr.iv248, i64 21, double -1.000000e+00, ptr %.311.i, i64 range(i64 -9223372036854775808, 129) %.13.i, i64 range(i64 -9223372036854775808, 129) %.13.i, ptr %.688.i)
   br label %B778.i
 
@@ -3184,45 +3213,45 @@ B742.i:                                           ; preds = %B540.i
   br i1 %.93.inv.i.i, label %B918.i, label %B158.if.lr.ph.i.i
 
 B158.if.lr.ph.i.i:                                ; preds = %B742.i
-  %.2220.5.i.i = getelementptr i8, ptr %313, i64 35840
+  %.2220.5.i.i = getelementptr i8, ptr %291, i64 35840
   br label %B158.if.i.i
 
 B158.if.i.i:                                      ; preds = %B158.if.i.i, %B158.if.lr.ph.i.i
-  %lsr.iv6.i.i = phi i64 [ %lsr.iv.next7.i.i, %B158.if.i.i ], [ %264, %B158.if.lr.ph.i.i ]
+  %lsr.iv6.i.i = phi i64 [ %lsr.iv.next7.i.i, %B158.if.i.i ], [ %242, %B158.if.lr.ph.i.i ]
   %lsr.iv226.i.i = phi ptr [ %scevgep.i17.i, %B158.if.i.i ], [ %.2220.5.i.i, %B158.if.lr.ph.i.i ]
   %scevgep239.i.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -17408
-  %.362.i.i = load <8 x double>, ptr %scevgep239.i.i, align 8, !noalias !71
+  %.362.i.i = load <8 x double>, ptr %scevgep239.i.i, align 8, !noalias !72
   %scevgep238.i.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -16384
-  %.373.i.i163 = load <8 x double>, ptr %scevgep238.i.i, align 8, !noalias !71
+  %.373.i.i156 = load <8 x double>, ptr %scevgep238.i.i, align 8, !noalias !72
   %.6.i.i6.i = fmul contract <8 x double> %.362.i.i, %.362.i.i
-  %.6.i111.i.i = fmul contract <8 x double> %.373.i.i163, %.373.i.i163
+  %.6.i111.i.i = fmul contract <8 x double> %.373.i.i156, %.373.i.i156
   %.6.i112.i7.i = fsub contract <8 x double> %.6.i.i6.i, %.6.i111.i.i
-  %.6.i113.i.i = fmul contract <8 x double> %.362.i.i, %.373.i.i163
+  %.6.i113.i.i = fmul contract <8 x double> %.362.i.i, %.373.i.i156
   %.8.i.i8.i = fmul contract <8 x double> %.6.i113.i.i, splat (double 2.000000e+00)
-  %.610.i.i164 = load double, ptr %sunkaddr8.i.i, align 8, !noalias !71
-  %.640.i.i = load double, ptr %sunkaddr9.i.i, align 8, !noalias !71
-  %.669.i.i165 = load double, ptr %sunkaddr10.i.i, align 8, !noalias !71
-  %.670.i.i166 = insertelement <8 x double> poison, double %.669.i.i165, i64 0
-  %.671.i.i = shufflevector <8 x double> %.670.i.i166, <8 x double> poison, <8 x i32> zeroinitializer
-  %.672.i.i167 = insertelement <8 x double> poison, double %.640.i.i, i64 0
-  %.673.i.i168 = shufflevector <8 x double> %.672.i.i167, <8 x double> poison, <8 x i32> zeroinitializer
-  %.674.i.i169 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.362.i.i, <8 x double> %.673.i.i168, <8 x double> %.671.i.i)
-  %.675.i.i170 = insertelement <8 x double> poison, double %.610.i.i164, i64 0
-  %.676.i.i171 = shufflevector <8 x double> %.675.i.i170, <8 x double> poison, <8 x i32> zeroinitializer
-  %.677.i.i172 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.373.i.i163, <8 x double> %.676.i.i171, <8 x double> %.674.i.i169)
-  %.707.i.i = load double, ptr %sunkaddr11.i.i155, align 8, !noalias !71
-  %.737.i.i = load double, ptr %sunkaddr12.i.i156, align 8, !noalias !71
+  %.610.i.i157 = load double, ptr %sunkaddr8.i.i, align 8, !noalias !72
+  %.640.i.i = load double, ptr %sunkaddr9.i.i, align 8, !noalias !72
+  %.669.i.i158 = load double, ptr %sunkaddr10.i.i, align 8, !noalias !72
+  %.670.i.i159 = insertelement <8 x double> poison, double %.669.i.i158, i64 0
+  %.671.i.i = shufflevector <8 x double> %.670.i.i159, <8 x double> poison, <8 x i32> zeroinitializer
+  %.672.i.i160 = insertelement <8 x double> poison, double %.640.i.i, i64 0
+  %.673.i.i161 = shufflevector <8 x double> %.672.i.i160, <8 x double> poison, <8 x i32> zeroinitializer
+  %.674.i.i162 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.362.i.i, <8 x double> %.673.i.i161, <8 x double> %.671.i.i)
+  %.675.i.i163 = insertelement <8 x double> poison, double %.610.i.i157, i64 0
+  %.676.i.i164 = shufflevector <8 x double> %.675.i.i163, <8 x double> poison, <8 x i32> zeroinitializer
+  %.677.i.i165 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.373.i.i156, <8 x double> %.676.i.i164, <8 x double> %.674.i.i162)
+  %.707.i.i166 = load double, ptr %sunkaddr11.i.i148, align 8, !noalias !72
+  %.737.i.i = load double, ptr %sunkaddr12.i.i149, align 8, !noalias !72
   %.741.i.i = insertelement <8 x double> poison, double %.737.i.i, i64 0
   %.742.i.i = shufflevector <8 x double> %.741.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.743.i.i173 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i112.i7.i, <8 x double> %.742.i.i, <8 x double> %.677.i.i172)
-  %.744.i.i = insertelement <8 x double> poison, double %.707.i.i, i64 0
-  %.745.i.i174 = shufflevector <8 x double> %.744.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.746.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i8.i, <8 x double> %.745.i.i174, <8 x double> %.743.i.i173)
+  %.743.i.i167 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i112.i7.i, <8 x double> %.742.i.i, <8 x double> %.677.i.i165)
+  %.744.i.i168 = insertelement <8 x double> poison, double %.707.i.i166, i64 0
+  %.745.i.i169 = shufflevector <8 x double> %.744.i.i168, <8 x double> poison, <8 x i32> zeroinitializer
+  %.746.i.i170 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i8.i, <8 x double> %.745.i.i169, <8 x double> %.743.i.i167)
   %scevgep237.i.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -11264
-  store <8 x double> %.746.i.i, ptr %scevgep237.i.i, align 8, !noalias !71
-  %.877.i.i = load double, ptr %sunkaddr13.i.i, align 8, !noalias !71
-  %.907.i.i = load double, ptr %sunkaddr14.i.i157, align 8, !noalias !71
-  %.936.i9.i = load double, ptr %sunkaddr15.i.i, align 8, !noalias !71
+  store <8 x double> %.746.i.i170, ptr %scevgep237.i.i, align 8, !noalias !72
+  %.877.i.i = load double, ptr %sunkaddr13.i.i, align 8, !noalias !72
+  %.907.i.i = load double, ptr %sunkaddr14.i.i150, align 8, !noalias !72
+  %.936.i9.i = load double, ptr %sunkaddr15.i.i, align 8, !noalias !72
   %.937.i.i = insertelement <8 x double> poison, double %.936.i9.i, i64 0
   %.938.i.i = shufflevector <8 x double> %.937.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.939.i.i = insertelement <8 x double> poison, double %.907.i.i, i64 0
@@ -3230,9 +3259,9 @@ B158.if.i.i:                                      ; preds = %B158.if.i.i, %B158.
   %.941.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.362.i.i, <8 x double> %.940.i.i, <8 x double> %.938.i.i)
   %.942.i10.i = insertelement <8 x double> poison, double %.877.i.i, i64 0
   %.943.i.i = shufflevector <8 x double> %.942.i10.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.944.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.373.i.i163, <8 x double> %.943.i.i, <8 x double> %.941.i.i)
-  %.974.i.i = load double, ptr %sunkaddr16.i.i158, align 8, !noalias !71
-  %.1004.i.i = load double, ptr %sunkaddr17.i.i, align 8, !noalias !71
+  %.944.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.373.i.i156, <8 x double> %.943.i.i, <8 x double> %.941.i.i)
+  %.974.i.i = load double, ptr %sunkaddr16.i.i151, align 8, !noalias !72
+  %.1004.i.i = load double, ptr %sunkaddr17.i.i, align 8, !noalias !72
   %.1008.i.i = insertelement <8 x double> poison, double %.1004.i.i, i64 0
   %.1009.i.i = shufflevector <8 x double> %.1008.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1010.i11.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i112.i7.i, <8 x double> %.1009.i.i, <8 x double> %.944.i.i)
@@ -3240,19 +3269,19 @@ B158.if.i.i:                                      ; preds = %B158.if.i.i, %B158.
   %.1012.i.i = shufflevector <8 x double> %.1011.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1013.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i8.i, <8 x double> %.1012.i.i, <8 x double> %.1010.i11.i)
   %scevgep236.i.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -9216
-  store <8 x double> %.1013.i.i, ptr %scevgep236.i.i, align 8, !noalias !71
-  %.1144.i.i = load double, ptr %sunkaddr8.i.i, align 8, !noalias !71
-  %.1174.i.i = load double, ptr %sunkaddr9.i.i, align 8, !noalias !71
+  store <8 x double> %.1013.i.i, ptr %scevgep236.i.i, align 8, !noalias !72
+  %.1144.i.i = load double, ptr %sunkaddr8.i.i, align 8, !noalias !72
+  %.1174.i.i = load double, ptr %sunkaddr9.i.i, align 8, !noalias !72
   %.1175.i.i = fsub contract double 0.000000e+00, %.1174.i.i
   %.6.i129.i12.i = insertelement <8 x double> poison, double %.1175.i.i, i64 0
   %.7.i.i13.i = shufflevector <8 x double> %.6.i129.i12.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.8.i130.i.i = fmul contract <8 x double> %.373.i.i163, %.7.i.i13.i
-  %.1200.i.i = insertelement <8 x double> poison, double %.1144.i.i, i64 0
-  %.1201.i.i = shufflevector <8 x double> %.1200.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1202.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.362.i.i, <8 x double> %.1201.i.i, <8 x double> %.8.i130.i.i)
-  %.1232.i.i = load double, ptr %sunkaddr11.i.i155, align 8, !noalias !71
+  %.8.i130.i.i = fmul contract <8 x double> %.373.i.i156, %.7.i.i13.i
+  %.1200.i.i171 = insertelement <8 x double> poison, double %.1144.i.i, i64 0
+  %.1201.i.i172 = shufflevector <8 x double> %.1200.i.i171, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1202.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.362.i.i, <8 x double> %.1201.i.i172, <8 x double> %.8.i130.i.i)
+  %.1232.i.i = load double, ptr %sunkaddr11.i.i148, align 8, !noalias !72
   %.1233.i.i = fmul contract double %.1232.i.i, 2.000000e+00
-  %.1263.i.i = load double, ptr %sunkaddr12.i.i156, align 8, !noalias !71
+  %.1263.i.i = load double, ptr %sunkaddr12.i.i149, align 8, !noalias !72
   %.1267.i.i = fmul contract double %.1263.i.i, -2.000000e+00
   %.1268.i.i = insertelement <8 x double> poison, double %.1267.i.i, i64 0
   %.1269.i.i = shufflevector <8 x double> %.1268.i.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -3261,31 +3290,31 @@ B158.if.i.i:                                      ; preds = %B158.if.i.i, %B158.
   %.1272.i.i = shufflevector <8 x double> %.1271.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1273.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i112.i7.i, <8 x double> %.1272.i.i, <8 x double> %.1270.i.i)
   %scevgep235.i.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -7168
-  store <8 x double> %.1273.i.i, ptr %scevgep235.i.i, align 8, !noalias !71
-  %.1404.i.i = load double, ptr %sunkaddr13.i.i, align 8, !noalias !71
-  %.1434.i.i = load double, ptr %sunkaddr14.i.i157, align 8, !noalias !71
+  store <8 x double> %.1273.i.i, ptr %scevgep235.i.i, align 8, !noalias !72
+  %.1404.i.i = load double, ptr %sunkaddr13.i.i, align 8, !noalias !72
+  %.1434.i.i = load double, ptr %sunkaddr14.i.i150, align 8, !noalias !72
   %.1435.i.i = fsub contract double 0.000000e+00, %.1434.i.i
   %.6.i136.i.i = insertelement <8 x double> poison, double %.1435.i.i, i64 0
   %.7.i137.i.i = shufflevector <8 x double> %.6.i136.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.8.i138.i.i = fmul contract <8 x double> %.373.i.i163, %.7.i137.i.i
+  %.8.i138.i.i = fmul contract <8 x double> %.373.i.i156, %.7.i137.i.i
   %.1460.i.i = insertelement <8 x double> poison, double %.1404.i.i, i64 0
   %.1461.i.i = shufflevector <8 x double> %.1460.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1462.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.362.i.i, <8 x double> %.1461.i.i, <8 x double> %.8.i138.i.i)
-  %.1492.i.i = load double, ptr %sunkaddr16.i.i158, align 8, !noalias !71
+  %.1492.i.i = load double, ptr %sunkaddr16.i.i151, align 8, !noalias !72
   %.1493.i.i = fmul contract double %.1492.i.i, 2.000000e+00
-  %.1523.i.i = load double, ptr %sunkaddr17.i.i, align 8, !noalias !71
+  %.1523.i.i = load double, ptr %sunkaddr17.i.i, align 8, !noalias !72
   %.1527.i14.i = fmul contract double %.1523.i.i, -2.000000e+00
   %.1528.i.i = insertelement <8 x double> poison, double %.1527.i14.i, i64 0
   %.1529.i.i = shufflevector <8 x double> %.1528.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1530.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i8.i, <8 x double> %.1529.i.i, <8 x double> %.1462.i.i)
-  %.1531.i.i = insertelement <8 x double> poison, double %.1493.i.i, i64 0
-  %.1532.i.i = shufflevector <8 x double> %.1531.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1533.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i112.i7.i, <8 x double> %.1532.i.i, <8 x double> %.1530.i.i)
+  %.1531.i.i173 = insertelement <8 x double> poison, double %.1493.i.i, i64 0
+  %.1532.i.i174 = shufflevector <8 x double> %.1531.i.i173, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1533.i.i175 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i112.i7.i, <8 x double> %.1532.i.i174, <8 x double> %.1530.i.i)
   %scevgep234.i.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -5120
-  store <8 x double> %.1533.i.i, ptr %scevgep234.i.i, align 8, !noalias !71
-  %.1664.i.i = load double, ptr %sunkaddr18.i.i, align 8, !noalias !71
-  %.1694.i.i = load double, ptr %sunkaddr19.i.i159, align 8, !noalias !71
-  %.1723.i.i = load double, ptr %lsr.iv, align 8, !noalias !71
+  store <8 x double> %.1533.i.i175, ptr %scevgep234.i.i, align 8, !noalias !72
+  %.1664.i.i = load double, ptr %sunkaddr18.i.i, align 8, !noalias !72
+  %.1694.i.i = load double, ptr %sunkaddr19.i.i152, align 8, !noalias !72
+  %.1723.i.i = load double, ptr %lsr.iv, align 8, !noalias !72
   %.1724.i.i = insertelement <8 x double> poison, double %.1723.i.i, i64 0
   %.1725.i.i = shufflevector <8 x double> %.1724.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1726.i.i = insertelement <8 x double> poison, double %.1694.i.i, i64 0
@@ -3293,9 +3322,9 @@ B158.if.i.i:                                      ; preds = %B158.if.i.i, %B158.
   %.1728.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.362.i.i, <8 x double> %.1727.i.i, <8 x double> %.1725.i.i)
   %.1729.i.i = insertelement <8 x double> poison, double %.1664.i.i, i64 0
   %.1730.i.i = shufflevector <8 x double> %.1729.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1731.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.373.i.i163, <8 x double> %.1730.i.i, <8 x double> %.1728.i.i)
-  %.1761.i.i = load double, ptr %sunkaddr.i.i160, align 8, !noalias !71
-  %.1791.i.i = load double, ptr %sunkaddr20.i.i161, align 8, !noalias !71
+  %.1731.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.373.i.i156, <8 x double> %.1730.i.i, <8 x double> %.1728.i.i)
+  %.1761.i.i = load double, ptr %sunkaddr.i.i153, align 8, !noalias !72
+  %.1791.i.i = load double, ptr %sunkaddr20.i.i154, align 8, !noalias !72
   %.1795.i.i = insertelement <8 x double> poison, double %.1791.i.i, i64 0
   %.1796.i.i = shufflevector <8 x double> %.1795.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1797.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i112.i7.i, <8 x double> %.1796.i.i, <8 x double> %.1731.i.i)
@@ -3303,103 +3332,103 @@ B158.if.i.i:                                      ; preds = %B158.if.i.i, %B158.
   %.1799.i.i = shufflevector <8 x double> %.1798.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1800.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i8.i, <8 x double> %.1799.i.i, <8 x double> %.1797.i.i)
   %scevgep233.i15.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -3072
-  store <8 x double> %.1800.i.i, ptr %scevgep233.i15.i, align 8, !noalias !71
-  %.1931.i.i = load double, ptr %sunkaddr21.i.i, align 8, !noalias !71
-  %.1961.i.i175 = load double, ptr %sunkaddr22.i.i, align 8, !noalias !71
-  %.1990.i.i = load double, ptr %sunkaddr23.i.i, align 8, !noalias !71
+  store <8 x double> %.1800.i.i, ptr %scevgep233.i15.i, align 8, !noalias !72
+  %.1931.i.i = load double, ptr %sunkaddr21.i.i, align 8, !noalias !72
+  %.1961.i.i176 = load double, ptr %sunkaddr22.i.i, align 8, !noalias !72
+  %.1990.i.i = load double, ptr %sunkaddr23.i.i, align 8, !noalias !72
   %.1991.i.i = insertelement <8 x double> poison, double %.1990.i.i, i64 0
   %.1992.i.i = shufflevector <8 x double> %.1991.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1993.i.i = insertelement <8 x double> poison, double %.1961.i.i175, i64 0
-  %.1994.i.i176 = shufflevector <8 x double> %.1993.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1995.i.i177 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.362.i.i, <8 x double> %.1994.i.i176, <8 x double> %.1992.i.i)
+  %.1993.i.i = insertelement <8 x double> poison, double %.1961.i.i176, i64 0
+  %.1994.i.i177 = shufflevector <8 x double> %.1993.i.i, <8 x double> poison, <8 x i32> zeroinitializer
+  %.1995.i.i178 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.362.i.i, <8 x double> %.1994.i.i177, <8 x double> %.1992.i.i)
   %.1996.i.i = insertelement <8 x double> poison, double %.1931.i.i, i64 0
   %.1997.i.i = shufflevector <8 x double> %.1996.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1998.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.373.i.i163, <8 x double> %.1997.i.i, <8 x double> %.1995.i.i177)
-  %.2028.i.i = load double, ptr %sunkaddr24.i.i, align 8, !noalias !71
-  %.2058.i.i = load double, ptr %sunkaddr25.i.i, align 8, !noalias !71
+  %.1998.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.373.i.i156, <8 x double> %.1997.i.i, <8 x double> %.1995.i.i178)
+  %.2028.i.i = load double, ptr %sunkaddr24.i.i, align 8, !noalias !72
+  %.2058.i.i = load double, ptr %sunkaddr25.i.i, align 8, !noalias !72
   %.2062.i.i = insertelement <8 x double> poison, double %.2058.i.i, i64 0
   %.2063.i.i = shufflevector <8 x double> %.2062.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.2064.i.i178 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i112.i7.i, <8 x double> %.2063.i.i, <8 x double> %.1998.i.i)
+  %.2064.i.i179 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i112.i7.i, <8 x double> %.2063.i.i, <8 x double> %.1998.i.i)
   %.2065.i.i = insertelement <8 x double> poison, double %.2028.i.i, i64 0
   %.2066.i.i = shufflevector <8 x double> %.2065.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.2067.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i8.i, <8 x double> %.2066.i.i, <8 x double> %.2064.i.i178)
+  %.2067.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i8.i, <8 x double> %.2066.i.i, <8 x double> %.2064.i.i179)
   %scevgep232.i16.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -1024
-  store <8 x double> %.2067.i.i, ptr %scevgep232.i16.i, align 8, !noalias !71
+  store <8 x double> %.2067.i.i, ptr %scevgep232.i16.i, align 8, !noalias !72
   %scevgep231.i.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -10240
-  store <8 x double> zeroinitializer, ptr %scevgep231.i.i, align 8, !noalias !71
+  store <8 x double> zeroinitializer, ptr %scevgep231.i.i, align 8, !noalias !72
   %scevgep230.i.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -8192
-  store <8 x double> zeroinitializer, ptr %scevgep230.i.i, align 8, !noalias !71
+  store <8 x double> zeroinitializer, ptr %scevgep230.i.i, align 8, !noalias !72
   %scevgep229.i.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -6144
-  store <8 x double> zeroinitializer, ptr %scevgep229.i.i, align 8, !noalias !71
+  store <8 x double> zeroinitializer, ptr %scevgep229.i.i, align 8, !noalias !72
   %scevgep228.i.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -4096
-  store <8 x double> zeroinitializer, ptr %scevgep228.i.i, align 8, !noalias !71
+  store <8 x double> zeroinitializer, ptr %scevgep228.i.i, align 8, !noalias !72
   %scevgep227.i.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 -2048
-  store <8 x double> zeroinitializer, ptr %scevgep227.i.i, align 8, !noalias !71
-  store <8 x double> zeroinitializer, ptr %lsr.iv226.i.i, align 8, !noalias !71
+  store <8 x double> zeroinitializer, ptr %scevgep227.i.i, align 8, !noalias !72
+  store <8 x double> zeroinitializer, ptr %lsr.iv226.i.i, align 8, !noalias !72
   %scevgep.i17.i = getelementptr i8, ptr %lsr.iv226.i.i, i64 64
   %lsr.iv.next7.i.i = add nsw i64 %lsr.iv6.i.i, -1
   %.311.i.i = icmp sgt i64 %lsr.iv6.i.i, 5
   br i1 %.311.i.i, label %B158.if.i.i, label %B778.i
 
 B778.i:                                           ; preds = %B158.if.i.i, %B590.i
-  %.1031.i = load double, ptr %sunkaddr82.i, align 8, !noalias !50
+  %.1031.i = load double, ptr %sunkaddr82.i, align 8, !noalias !51
   %.1401.i.i = insertelement <8 x double> poison, double %.1031.i, i64 0
   %.1402.i.i = shufflevector <8 x double> %.1401.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   br i1 %.93.inv.i.i, label %B918.i, label %B52.lr.ph.i.i
 
 B52.lr.ph.i.i:                                    ; preds = %B778.i
-  %.1061.i = load i64, ptr %.500.i, align 8, !noalias !50
-  %.1001.i = load double, ptr %sunkaddr85.i, align 8, !noalias !50
+  %.1061.i = load i64, ptr %.500.i, align 8, !noalias !51
+  %.1001.i = load double, ptr %sunkaddr85.i, align 8, !noalias !51
   %.6.i980.i.i = insertelement <8 x double> poison, double %.1001.i, i64 0
   %.7.i.i35.i = shufflevector <8 x double> %.6.i980.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %283 = icmp eq i64 %.1061.i, 1
+  %261 = icmp eq i64 %.1061.i, 1
   br label %B52.i.i
 
 B52.i.i:                                          ; preds = %B1190.i.i, %B52.lr.ph.i.i
   %.127.sroa.0.0923.i.i = phi i64 [ 0, %B52.lr.ph.i.i ], [ %.127.sroa.0.0.i.i, %B1190.i.i ]
-  %.82.1922.in.i.i = phi i64 [ %263, %B52.lr.ph.i.i ], [ %294, %B1190.i.i ]
+  %.82.1922.in.i.i = phi i64 [ %241, %B52.lr.ph.i.i ], [ %272, %B1190.i.i ]
   %.79.1921.i.i = phi i64 [ 8, %B52.lr.ph.i.i ], [ %.79.1.i.i, %B1190.i.i ]
-  %.267.i.i179 = getelementptr inbounds double, ptr %.688.i, i64 %.127.sroa.0.0923.i.i
-  %.269.i.i = load <8 x double>, ptr %.267.i.i179, align 8, !noalias !74
+  %.267.i.i180 = getelementptr inbounds double, ptr %.688.i, i64 %.127.sroa.0.0923.i.i
+  %.269.i.i = load <8 x double>, ptr %.267.i.i180, align 8, !noalias !75
   %sunkaddr.i36.i = shl i64 %.127.sroa.0.0923.i.i, 3
   %sunkaddr1161.i.i = getelementptr inbounds i8, ptr %.688.i, i64 %sunkaddr.i36.i
   %sunkaddr1162.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr1161.i.i, i64 1024
-  %.365.i.i180 = load <8 x double>, ptr %sunkaddr1162.i.i, align 8, !noalias !74
+  %.365.i.i181 = load <8 x double>, ptr %sunkaddr1162.i.i, align 8, !noalias !75
   %sunkaddr1165.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr1161.i.i, i64 2048
-  %.460.i.i181 = load <8 x double>, ptr %sunkaddr1165.i.i, align 8, !noalias !74
+  %.460.i.i182 = load <8 x double>, ptr %sunkaddr1165.i.i, align 8, !noalias !75
   %sunkaddr1168.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr1161.i.i, i64 3072
-  %.556.i.i182 = load <8 x double>, ptr %sunkaddr1168.i.i, align 8, !noalias !74
+  %.556.i.i183 = load <8 x double>, ptr %sunkaddr1168.i.i, align 8, !noalias !75
   %sunkaddr1171.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr1161.i.i, i64 10240
-  %.652.i.i183 = load <8 x double>, ptr %sunkaddr1171.i.i, align 8, !noalias !74
+  %.652.i.i184 = load <8 x double>, ptr %sunkaddr1171.i.i, align 8, !noalias !75
   %sunkaddr1174.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr1161.i.i, i64 11264
-  %.748.i.i = load <8 x double>, ptr %sunkaddr1174.i.i, align 8, !noalias !74
-  %284 = fneg contract <8 x double> %.365.i.i180
-  %.8.i.i37.i = fmul contract <8 x double> %.748.i.i, %284
-  %.800.i.i184 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.652.i.i183, <8 x double> %.269.i.i, <8 x double> %.8.i.i37.i)
+  %.748.i.i = load <8 x double>, ptr %sunkaddr1174.i.i, align 8, !noalias !75
+  %262 = fneg contract <8 x double> %.365.i.i181
+  %.8.i.i37.i = fmul contract <8 x double> %.748.i.i, %262
+  %.800.i.i185 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.652.i.i184, <8 x double> %.269.i.i, <8 x double> %.8.i.i37.i)
   %.6.i960.i.i = fmul contract <8 x double> %.269.i.i, %.748.i.i
-  %.825.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.652.i.i183, <8 x double> %.365.i.i180, <8 x double> %.6.i960.i.i)
+  %.825.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.652.i.i184, <8 x double> %.365.i.i181, <8 x double> %.6.i960.i.i)
   %sunkaddr1177.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr1161.i.i, i64 12288
-  %.945.i.i = load <8 x double>, ptr %sunkaddr1177.i.i, align 8, !noalias !74
+  %.945.i.i = load <8 x double>, ptr %sunkaddr1177.i.i, align 8, !noalias !75
   %sunkaddr1180.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr1161.i.i, i64 13312
-  %.1041.i.i = load <8 x double>, ptr %sunkaddr1180.i.i, align 8, !noalias !74
-  %285 = fneg contract <8 x double> %.556.i.i182
-  %.8.i972.i.i = fmul contract <8 x double> %.1041.i.i, %285
-  %.1093.i.i185 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.945.i.i, <8 x double> %.460.i.i181, <8 x double> %.8.i972.i.i)
-  %.6.i973.i.i = fmul contract <8 x double> %.460.i.i181, %.1041.i.i
-  %.1118.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.945.i.i, <8 x double> %.556.i.i182, <8 x double> %.6.i973.i.i)
-  br i1 %283, label %B864.i.i, label %B1190.i.i
+  %.1041.i.i = load <8 x double>, ptr %sunkaddr1180.i.i, align 8, !noalias !75
+  %263 = fneg contract <8 x double> %.556.i.i183
+  %.8.i972.i.i = fmul contract <8 x double> %.1041.i.i, %263
+  %.1093.i.i186 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.945.i.i, <8 x double> %.460.i.i182, <8 x double> %.8.i972.i.i)
+  %.6.i973.i.i = fmul contract <8 x double> %.460.i.i182, %.1041.i.i
+  %.1118.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.945.i.i, <8 x double> %.556.i.i183, <8 x double> %.6.i973.i.i)
+  br i1 %261, label %B864.i.i, label %B1190.i.i
 
 B864.i.i:                                         ; preds = %B52.i.i
   %sunkaddr91.i = getelementptr i8, ptr %sunkaddr1161.i.i, i64 4096
-  %.1249.i.i = load <8 x double>, ptr %sunkaddr91.i, align 8, !noalias !74
+  %.1249.i.i = load <8 x double>, ptr %sunkaddr91.i, align 8, !noalias !75
   %sunkaddr96.i = getelementptr i8, ptr %sunkaddr1161.i.i, i64 5120
-  %.1345.i.i276 = load <8 x double>, ptr %sunkaddr96.i, align 8, !noalias !74
+  %.1345.i.i = load <8 x double>, ptr %sunkaddr96.i, align 8, !noalias !75
   %.6.i979.i.i = fsub contract <8 x double> splat (double 1.000000e+00), %.1249.i.i
   %.8.i981.i.i = fmul contract <8 x double> %.7.i.i35.i, %.6.i979.i.i
-  %.1413.i.i277 = getelementptr inbounds double, ptr %.311.i, i64 %.127.sroa.0.0923.i.i
-  %.1415.i.i = load <8 x double>, ptr %.1413.i.i277, align 8, !noalias !74
+  %.1413.i.i273 = getelementptr inbounds double, ptr %.311.i, i64 %.127.sroa.0.0923.i.i
+  %.1415.i.i = load <8 x double>, ptr %.1413.i.i273, align 8, !noalias !75
   %.8.i982.i.i = fmul contract <8 x double> %.1415.i.i, splat (double 0xC01921FB54442D18)
-  %.1403.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1345.i.i276, <8 x double> %.1402.i.i, <8 x double> %.8.i981.i.i)
+  %.1403.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1345.i.i, <8 x double> %.1402.i.i, <8 x double> %.8.i981.i.i)
   %.6.i983.i.i = fmul contract <8 x double> %.1403.i.i, %.8.i982.i.i
   %.1469.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i983.i.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
   %.8.i984.i.i = fadd contract <8 x double> %.1469.i.i, splat (double 0xC338000000000000)
@@ -3408,16 +3437,16 @@ B864.i.i:                                         ; preds = %B52.i.i
   %.6.i985.i.i = fmul contract <8 x double> %.1527.i.i, %.1527.i.i
   %.6.i986.i.i = fmul contract <8 x double> %.1527.i.i, %.6.i985.i.i
   %.1556.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> splat (double 0xBD6AE7F3E733B81F), <8 x double> splat (double 0x3DE6124613A86D09))
-  %.1559.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1556.i.i, <8 x double> splat (double 0xBE5AE64567F544E4))
-  %.1562.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1559.i.i, <8 x double> splat (double 0x3EC71DE3A556C734))
-  %.1565.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1562.i.i, <8 x double> splat (double 0xBF2A01A01A01A01A))
+  %.1559.i.i274 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1556.i.i, <8 x double> splat (double 0xBE5AE64567F544E4))
+  %.1562.i.i275 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1559.i.i274, <8 x double> splat (double 0x3EC71DE3A556C734))
+  %.1565.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1562.i.i275, <8 x double> splat (double 0xBF2A01A01A01A01A))
   %.1568.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1565.i.i, <8 x double> splat (double 0x3F81111111111111))
   %.1571.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1568.i.i, <8 x double> splat (double 0xBFC5555555555555))
   %.1596.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i986.i.i, <8 x double> %.1571.i.i, <8 x double> %.1527.i.i)
   %.1601.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> splat (double 0x3D2AE7F3E733B81F), <8 x double> splat (double 0xBDA93974A8C07C9D))
   %.1604.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1601.i.i, <8 x double> splat (double 0x3E21EED8EFF8D898))
-  %.1607.i.i278 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1604.i.i, <8 x double> splat (double 0xBE927E4FB7789F5C))
-  %.1610.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1607.i.i278, <8 x double> splat (double 0x3EFA01A01A01A01A))
+  %.1607.i.i276 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1604.i.i, <8 x double> splat (double 0xBE927E4FB7789F5C))
+  %.1610.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1607.i.i276, <8 x double> splat (double 0x3EFA01A01A01A01A))
   %.1613.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1610.i.i, <8 x double> splat (double 0xBF56C16C16C16C17))
   %.1616.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1613.i.i, <8 x double> splat (double 0x3FA5555555555555))
   %.1619.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i985.i.i, <8 x double> %.1616.i.i, <8 x double> splat (double -5.000000e-01))
@@ -3427,60 +3456,60 @@ B864.i.i:                                         ; preds = %B52.i.i
   %.1625.i.i = bitcast <8 x double> %.1622.i.i to <8 x i64>
   %.6.i987.i.i = xor <8 x i64> %.1625.i.i, %.1624.i.i
   %.8.i988.i.i = and <8 x i64> %.1623.i.i, splat (i64 1)
-  %286 = icmp eq <8 x i64> %.8.i988.i.i, zeroinitializer
-  %.6.i990.i.i = select <8 x i1> %286, <8 x i64> zeroinitializer, <8 x i64> %.6.i987.i.i
+  %264 = icmp eq <8 x i64> %.8.i988.i.i, zeroinitializer
+  %.6.i990.i.i = select <8 x i1> %264, <8 x i64> zeroinitializer, <8 x i64> %.6.i987.i.i
   %.8.i991.i.i = shl <8 x i64> %.1623.i.i, splat (i64 62)
   %.8.i992.i.i = and <8 x i64> %.8.i991.i.i, splat (i64 -9223372036854775808)
   %.8.i994.i.i = add <8 x i64> %.8.i991.i.i, splat (i64 4611686018427387904)
   %.8.i995.i.i = and <8 x i64> %.8.i994.i.i, splat (i64 -9223372036854775808)
-  %287 = xor <8 x i64> %.8.i992.i.i, %.1624.i.i
-  %.6.i997.i.i = xor <8 x i64> %287, %.6.i990.i.i
-  %288 = bitcast <8 x i64> %.6.i997.i.i to <8 x double>
-  %289 = xor <8 x i64> %.8.i995.i.i, %.1625.i.i
-  %.6.i999.i.i = xor <8 x i64> %289, %.6.i990.i.i
-  %290 = bitcast <8 x i64> %.6.i999.i.i to <8 x double>
+  %265 = xor <8 x i64> %.8.i992.i.i, %.1624.i.i
+  %.6.i997.i.i = xor <8 x i64> %265, %.6.i990.i.i
+  %266 = bitcast <8 x i64> %.6.i997.i.i to <8 x double>
+  %267 = xor <8 x i64> %.8.i995.i.i, %.1625.i.i
+  %.6.i999.i.i = xor <8 x i64> %267, %.6.i990.i.i
+  %268 = bitcast <8 x i64> %.6.i999.i.i to <8 x double>
   br label %B1190.i.i
 
 B1190.i.i:                                        ; preds = %B864.i.i, %B52.i.i
-  %sine.2.1.i.i = phi <8 x double> [ %288, %B864.i.i ], [ zeroinitializer, %B52.i.i ]
-  %cosine.2.1.i.i = phi <8 x double> [ %290, %B864.i.i ], [ splat (double 1.000000e+00), %B52.i.i ]
+  %sine.2.1.i.i = phi <8 x double> [ %266, %B864.i.i ], [ zeroinitializer, %B52.i.i ]
+  %cosine.2.1.i.i = phi <8 x double> [ %268, %B864.i.i ], [ splat (double 1.000000e+00), %B52.i.i ]
   %sunkaddr99.i = getelementptr i8, ptr %sunkaddr1161.i.i, i64 8192
-  store <8 x double> %cosine.2.1.i.i, ptr %sunkaddr99.i, align 8, !noalias !74
+  store <8 x double> %cosine.2.1.i.i, ptr %sunkaddr99.i, align 8, !noalias !75
   %sunkaddr102.i = getelementptr i8, ptr %sunkaddr1161.i.i, i64 9216
-  store <8 x double> %sine.2.1.i.i, ptr %sunkaddr102.i, align 8, !noalias !74
-  %.6.i1005.i.i = fadd contract <8 x double> %.800.i.i184, %.1093.i.i185
+  store <8 x double> %sine.2.1.i.i, ptr %sunkaddr102.i, align 8, !noalias !75
+  %.6.i1005.i.i = fadd contract <8 x double> %.800.i.i185, %.1093.i.i186
   %.6.i1006.i.i = fadd contract <8 x double> %.825.i.i, %.1118.i.i
-  %291 = fneg contract <8 x double> %sine.2.1.i.i
-  %.8.i1008.i.i = fmul contract <8 x double> %.6.i1006.i.i, %291
+  %269 = fneg contract <8 x double> %sine.2.1.i.i
+  %.8.i1008.i.i = fmul contract <8 x double> %.6.i1006.i.i, %269
   %.2273.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i1005.i.i, <8 x double> %cosine.2.1.i.i, <8 x double> %.8.i1008.i.i)
   %.6.i1009.i.i = fmul contract <8 x double> %.6.i1006.i.i, %cosine.2.1.i.i
-  %.2298.i.i186 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i1005.i.i, <8 x double> %sine.2.1.i.i, <8 x double> %.6.i1009.i.i)
+  %.2298.i.i187 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i1005.i.i, <8 x double> %sine.2.1.i.i, <8 x double> %.6.i1009.i.i)
   %.2408.i.i = getelementptr inbounds double, ptr %.432, i64 %.127.sroa.0.0923.i.i
-  %.2410.i.i = load <8 x double>, ptr %.2408.i.i, align 8, !noalias !74
+  %.2410.i.i = load <8 x double>, ptr %.2408.i.i, align 8, !noalias !75
   %sunkaddr104.i = getelementptr i8, ptr %.432, i64 %sunkaddr.i36.i
   %sunkaddr105.i = getelementptr i8, ptr %sunkaddr104.i, i64 1024
-  %.2506.i.i = load <8 x double>, ptr %sunkaddr105.i, align 8, !noalias !74
-  %292 = fneg contract <8 x double> %.2506.i.i
-  %.8.i1021.i.i = fmul contract <8 x double> %.2298.i.i186, %292
+  %.2506.i.i = load <8 x double>, ptr %sunkaddr105.i, align 8, !noalias !75
+  %270 = fneg contract <8 x double> %.2506.i.i
+  %.8.i1021.i.i = fmul contract <8 x double> %.2298.i.i187, %270
   %.2559.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.2273.i.i, <8 x double> %.2410.i.i, <8 x double> %.8.i1021.i.i)
-  %.6.i1022.i.i = fmul contract <8 x double> %.2298.i.i186, %.2410.i.i
+  %.6.i1022.i.i = fmul contract <8 x double> %.2298.i.i187, %.2410.i.i
   %.2584.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.2273.i.i, <8 x double> %.2506.i.i, <8 x double> %.6.i1022.i.i)
   %sunkaddr108.i = getelementptr i8, ptr %sunkaddr1161.i.i, i64 6144
-  store <8 x double> %.2559.i.i, ptr %sunkaddr108.i, align 8, !noalias !74
+  store <8 x double> %.2559.i.i, ptr %sunkaddr108.i, align 8, !noalias !75
   %sunkaddr111.i = getelementptr i8, ptr %sunkaddr1161.i.i, i64 7168
-  store <8 x double> %.2584.i.i, ptr %sunkaddr111.i, align 8, !noalias !74
+  store <8 x double> %.2584.i.i, ptr %sunkaddr111.i, align 8, !noalias !75
   %.137.i.i = icmp samesign ugt i64 %.82.1922.in.i.i, 1
   %.150.i38.i = add i64 %.79.1921.i.i, 8
   %.79.1.i.i = select i1 %.137.i.i, i64 %.150.i38.i, i64 %.79.1921.i.i
-  %293 = tail call i64 @llvm.smax.i64(i64 %.82.1922.in.i.i, i64 2)
-  %294 = add nsw i64 %293, -1
+  %271 = tail call i64 @llvm.smax.i64(i64 %.82.1922.in.i.i, i64 2)
+  %272 = add nsw i64 %271, -1
   %.127.sroa.0.0.i.i = select i1 %.137.i.i, i64 %.79.1921.i.i, i64 0
   br i1 %.137.i.i, label %B52.i.i, label %B918.i
 
 B918.i:                                           ; preds = %B1190.i.i, %B742.i.i, %B742.i, %B778.i, %B492.i
   %lsr.iv.next194.i = add i64 %lsr.iv193.i, 27648
-  %exitcond.not.i187 = icmp eq i64 %.641.i, %.104.i
-  br i1 %exitcond.not.i187, label %B950.if.lr.ph.i, label %B452.if.i
+  %exitcond.not.i188 = icmp eq i64 %.641.i, %.104.i
+  br i1 %exitcond.not.i188, label %B950.if.lr.ph.i, label %B452.if.i
 
 B950.if.lr.ph.i:                                  ; preds = %B918.i
   %brmerge.not.i = select i1 %.761.i, i1 %.438.inv.i.i, i1 false
@@ -3492,215 +3521,215 @@ B950.if.lr.ph.i:                                  ; preds = %B918.i
   %.6501.i.i = getelementptr i8, ptr %lsr.iv, i64 144
   br label %B950.if.i
 
-B268.if.i.i:                                      ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B268.if.i.i
-  %lsr.iv56.i = phi i64 [ %lsr.iv.next57.i, %B268.if.i.i ], [ %264, %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %lsr.iv178.i = phi ptr [ %scevgep.i275, %B268.if.i.i ], [ %.432, %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+B268.if.i.i:                                      ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %B268.if.i.i
+  %lsr.iv56.i = phi i64 [ %lsr.iv.next57.i, %B268.if.i.i ], [ %242, %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %lsr.iv178.i = phi ptr [ %scevgep.i272, %B268.if.i.i ], [ %.432, %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
   %scevgep187.i = getelementptr i8, ptr %lsr.iv178.i, i64 6144
-  %.608.i.i = load <8 x double>, ptr %scevgep187.i, align 8, !noalias !77
+  %.608.i.i = load <8 x double>, ptr %scevgep187.i, align 8, !noalias !78
   %scevgep186.i = getelementptr i8, ptr %lsr.iv178.i, i64 7168
-  %.703.i.i267 = load <8 x double>, ptr %scevgep186.i, align 8, !noalias !77
+  %.703.i.i267 = load <8 x double>, ptr %scevgep186.i, align 8, !noalias !78
   %scevgep180.i = getelementptr i8, ptr %lsr.iv178.i, i64 %lsr.iv.i196
-  %scevgep181.i268 = getelementptr i8, ptr %scevgep180.i, i64 -1024
-  %.797.i.i269 = load <8 x double>, ptr %scevgep181.i268, align 8, !noalias !77
-  %.892.i.i270 = load <8 x double>, ptr %scevgep180.i, align 8, !noalias !77
-  %295 = fneg contract <8 x double> %.892.i.i270
-  %.8.i.i40.i = fmul contract <8 x double> %.703.i.i267, %295
-  %.945.i41.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.608.i.i, <8 x double> %.797.i.i269, <8 x double> %.8.i.i40.i)
-  %.6.i127.i.i = fmul contract <8 x double> %.703.i.i267, %.797.i.i269
-  %.970.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.608.i.i, <8 x double> %.892.i.i270, <8 x double> %.6.i127.i.i)
-  %scevgep185.i271 = getelementptr i8, ptr %lsr.iv178.i, i64 4096
-  %.1000.i.i272 = load <8 x double>, ptr %scevgep185.i271, align 8, !noalias !77
+  %scevgep181.i = getelementptr i8, ptr %scevgep180.i, i64 -1024
+  %.797.i.i268 = load <8 x double>, ptr %scevgep181.i, align 8, !noalias !78
+  %.892.i.i269 = load <8 x double>, ptr %scevgep180.i, align 8, !noalias !78
+  %273 = fneg contract <8 x double> %.892.i.i269
+  %.8.i.i40.i = fmul contract <8 x double> %.703.i.i267, %273
+  %.945.i41.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.608.i.i, <8 x double> %.797.i.i268, <8 x double> %.8.i.i40.i)
+  %.6.i127.i.i = fmul contract <8 x double> %.703.i.i267, %.797.i.i268
+  %.970.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.608.i.i, <8 x double> %.892.i.i269, <8 x double> %.6.i127.i.i)
+  %scevgep185.i = getelementptr i8, ptr %lsr.iv178.i, i64 4096
+  %.1000.i.i270 = load <8 x double>, ptr %scevgep185.i, align 8, !noalias !78
   %scevgep184.i = getelementptr i8, ptr %lsr.iv178.i, i64 2048
-  %.1010.i.i = load <8 x double>, ptr %scevgep184.i, align 8, !noalias !77
+  %.1010.i.i = load <8 x double>, ptr %scevgep184.i, align 8, !noalias !78
   %.8.i128.i.i = fadd contract <8 x double> %.1010.i.i, splat (double 1.000000e+00)
   %.6.i129.i.i = fdiv contract <8 x double> %.945.i41.i, %.8.i128.i.i
-  %.6.i130.i.i = fadd contract <8 x double> %.1000.i.i272, %.6.i129.i.i
-  store <8 x double> %.6.i130.i.i, ptr %scevgep185.i271, align 8, !noalias !77
-  %scevgep183.i273 = getelementptr i8, ptr %lsr.iv178.i, i64 3072
-  %.1102.i.i = load <8 x double>, ptr %scevgep183.i273, align 8, !noalias !77
+  %.6.i130.i.i = fadd contract <8 x double> %.1000.i.i270, %.6.i129.i.i
+  store <8 x double> %.6.i130.i.i, ptr %scevgep185.i, align 8, !noalias !78
+  %scevgep183.i = getelementptr i8, ptr %lsr.iv178.i, i64 3072
+  %.1102.i.i = load <8 x double>, ptr %scevgep183.i, align 8, !noalias !78
   %scevgep182.i = getelementptr i8, ptr %lsr.iv178.i, i64 5120
-  %.1112.i.i274 = load <8 x double>, ptr %scevgep182.i, align 8, !noalias !77
+  %.1112.i.i271 = load <8 x double>, ptr %scevgep182.i, align 8, !noalias !78
   %.8.i131.i.i = fmul contract <8 x double> %.970.i.i, splat (double 4.000000e+00)
   %.1139.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1102.i.i, <8 x double> %.1102.i.i, <8 x double> splat (double 4.000000e+00))
   %.6.i132.i.i = fdiv contract <8 x double> %.8.i131.i.i, %.1139.i.i
-  %.6.i133.i.i = fsub contract <8 x double> %.1112.i.i274, %.6.i132.i.i
-  store <8 x double> %.6.i133.i.i, ptr %scevgep182.i, align 8, !noalias !77
-  %scevgep.i275 = getelementptr i8, ptr %lsr.iv178.i, i64 64
+  %.6.i133.i.i = fsub contract <8 x double> %.1112.i.i271, %.6.i132.i.i
+  store <8 x double> %.6.i133.i.i, ptr %scevgep182.i, align 8, !noalias !78
+  %scevgep.i272 = getelementptr i8, ptr %lsr.iv178.i, i64 64
   %lsr.iv.next57.i = add nsw i64 %lsr.iv56.i, -1
   %.480.i.i = icmp sgt i64 %lsr.iv56.i, 5
   br i1 %.480.i.i, label %B268.if.i.i, label %B1158.i
 
-B1158.i:                                          ; preds = %B268.if.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B1158.i:                                          ; preds = %B268.if.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   br i1 %"$phi420.0.2.0.i", label %B1258.i, label %B1350.i
 
 B1258.i:                                          ; preds = %B1158.i
-  %.120.i19.i = load double, ptr %sunkaddr10.i.i, align 8, !noalias !80
-  %.150.i20.i = load double, ptr %sunkaddr9.i.i, align 8, !noalias !80
+  %.120.i19.i = load double, ptr %sunkaddr10.i.i, align 8, !noalias !81
+  %.150.i20.i = load double, ptr %sunkaddr9.i.i, align 8, !noalias !81
   %.151.i.i = fadd contract double %.120.i19.i, %.150.i20.i
-  %.181.i.i = load double, ptr %sunkaddr12.i.i156, align 8, !noalias !80
+  %.181.i.i = load double, ptr %sunkaddr12.i.i149, align 8, !noalias !81
   %.185.i.i = fadd contract double %.151.i.i, %.181.i.i
-  %.219.i.i = load double, ptr %sunkaddr15.i.i, align 8, !noalias !80
-  %.249.i.i244 = load double, ptr %sunkaddr14.i.i157, align 8, !noalias !80
-  %.250.i.i245 = fadd contract double %.219.i.i, %.249.i.i244
-  %.280.i.i246 = load double, ptr %sunkaddr17.i.i, align 8, !noalias !80
-  %.284.i.i = fadd contract double %.250.i.i245, %.280.i.i246
+  %.219.i.i = load double, ptr %sunkaddr15.i.i, align 8, !noalias !81
+  %.249.i.i242 = load double, ptr %sunkaddr14.i.i150, align 8, !noalias !81
+  %.250.i.i243 = fadd contract double %.219.i.i, %.249.i.i242
+  %.280.i.i244 = load double, ptr %sunkaddr17.i.i, align 8, !noalias !81
+  %.284.i.i = fadd contract double %.250.i.i243, %.280.i.i244
   %.1615.i.i = insertelement <8 x double> poison, double %.185.i.i, i64 0
   %.1616.i21.i = shufflevector <8 x double> %.1615.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1844.i.i = insertelement <8 x double> poison, double %.284.i.i, i64 0
   %.1845.i.i = shufflevector <8 x double> %.1844.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  br i1 %.93.inv.i.i, label %_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v406B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B246.i.i
+  br i1 %.93.inv.i.i, label %_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v419B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B246.i.i
 
 B246.i.i:                                         ; preds = %B1258.i, %B962.i.i
   %.377.sroa.0.0487.i.i = phi i64 [ %.377.sroa.0.0.i.i, %B962.i.i ], [ 0, %B1258.i ]
-  %.332.1486.in.i.i = phi i64 [ %298, %B962.i.i ], [ %263, %B1258.i ]
+  %.332.1486.in.i.i = phi i64 [ %276, %B962.i.i ], [ %241, %B1258.i ]
   %.329.1485.i.i = phi i64 [ %.329.1.i.i, %B962.i.i ], [ 8, %B1258.i ]
   %by_time.2.0484.i.i = phi <8 x double> [ %.6.i528.i.i, %B962.i.i ], [ zeroinitializer, %B1258.i ]
-  %by_plus.2.0483.i.i = phi <8 x double> [ %.6.i574.i.i, %B962.i.i ], [ zeroinitializer, %B1258.i ]
+  %by_plus.2.0483.i.i = phi <8 x double> [ %.6.i574.i.i253, %B962.i.i ], [ zeroinitializer, %B1258.i ]
   %by_cross.2.0482.i.i = phi <8 x double> [ %.6.i578.i.i, %B962.i.i ], [ zeroinitializer, %B1258.i ]
   %sunkaddr.i22.i = shl i64 %.377.sroa.0.0487.i.i, 3
   %sunkaddr707.i.i = getelementptr inbounds i8, ptr %.432, i64 %sunkaddr.i22.i
   %sunkaddr708.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr707.i.i, i64 6144
-  %.519.i.i = load <8 x double>, ptr %sunkaddr708.i.i, align 8, !noalias !80
+  %.519.i.i = load <8 x double>, ptr %sunkaddr708.i.i, align 8, !noalias !81
   %sunkaddr711.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr707.i.i, i64 7168
-  %.615.i.i247 = load <8 x double>, ptr %sunkaddr711.i.i, align 8, !noalias !80
+  %.615.i.i245 = load <8 x double>, ptr %sunkaddr711.i.i, align 8, !noalias !81
   %sunkaddr713.i.i = getelementptr inbounds i8, ptr %.1249.i, i64 %sunkaddr.i22.i
   %sunkaddr714.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr713.i.i, i64 6144
-  %.724.i.i = load <8 x double>, ptr %sunkaddr714.i.i, align 8, !noalias !80
+  %.724.i.i = load <8 x double>, ptr %sunkaddr714.i.i, align 8, !noalias !81
   %sunkaddr717.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr713.i.i, i64 7168
-  %.820.i.i248 = load <8 x double>, ptr %sunkaddr717.i.i, align 8, !noalias !80
+  %.820.i.i = load <8 x double>, ptr %sunkaddr717.i.i, align 8, !noalias !81
   %sunkaddr720.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr707.i.i, i64 8192
-  %.915.i.i = load <8 x double>, ptr %sunkaddr720.i.i, align 8, !noalias !80
+  %.915.i.i = load <8 x double>, ptr %sunkaddr720.i.i, align 8, !noalias !81
   %sunkaddr723.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr707.i.i, i64 9216
-  %.1011.i23.i = load <8 x double>, ptr %sunkaddr723.i.i, align 8, !noalias !80
+  %.1011.i23.i = load <8 x double>, ptr %sunkaddr723.i.i, align 8, !noalias !81
   %.6.i.i24.i = fmul contract <8 x double> %.724.i.i, %.915.i.i
-  %.6.i526.i.i = fmul contract <8 x double> %.820.i.i248, %.1011.i23.i
+  %.6.i526.i.i = fmul contract <8 x double> %.820.i.i, %.1011.i23.i
   %.6.i527.i.i = fsub contract <8 x double> %.6.i.i24.i, %.6.i526.i.i
   %.6.i528.i.i = fadd contract <8 x double> %by_time.2.0484.i.i, %.6.i527.i.i
   br i1 %.761.i, label %B778.i.i, label %B962.i.i
 
 B778.i.i:                                         ; preds = %B246.i.i
   %.1209.i.i = getelementptr inbounds double, ptr %.432, i64 %.377.sroa.0.0487.i.i
-  %.1211.i.i265 = load <8 x double>, ptr %.1209.i.i, align 8, !noalias !80
+  %.1211.i.i265 = load <8 x double>, ptr %.1209.i.i, align 8, !noalias !81
   %sunkaddr3.i.i = getelementptr i8, ptr %sunkaddr707.i.i, i64 1024
-  %.1307.i.i = load <8 x double>, ptr %sunkaddr3.i.i, align 8, !noalias !80
-  %296 = fneg contract <8 x double> %.1307.i.i
-  %.8.i.i25.i = fmul contract <8 x double> %.615.i.i247, %296
-  %.6.i535.i.i = fmul contract <8 x double> %.615.i.i247, %.1211.i.i265
+  %.1307.i.i = load <8 x double>, ptr %sunkaddr3.i.i, align 8, !noalias !81
+  %274 = fneg contract <8 x double> %.1307.i.i
+  %.8.i.i25.i = fmul contract <8 x double> %.615.i.i245, %274
+  %.6.i535.i.i = fmul contract <8 x double> %.615.i.i245, %.1211.i.i265
   %.1365.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.519.i.i, <8 x double> %.1211.i.i265, <8 x double> %.8.i.i25.i)
   %.1390.i.i266 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.519.i.i, <8 x double> %.1307.i.i, <8 x double> %.6.i535.i.i)
   br label %B962.i.i
 
 B962.i.i:                                         ; preds = %B778.i.i, %B246.i.i
-  %ai.2.1.i.i = phi <8 x double> [ %.1390.i.i266, %B778.i.i ], [ %.615.i.i247, %B246.i.i ]
+  %ai.2.1.i.i = phi <8 x double> [ %.1390.i.i266, %B778.i.i ], [ %.615.i.i245, %B246.i.i ]
   %ar.2.1.i.i = phi <8 x double> [ %.1365.i.i, %B778.i.i ], [ %.519.i.i, %B246.i.i ]
   %sunkaddr6.i.i = getelementptr i8, ptr %sunkaddr713.i.i, i64 22528
-  %.1614.i.i = load <8 x double>, ptr %sunkaddr6.i.i, align 8, !noalias !80
+  %.1614.i.i = load <8 x double>, ptr %sunkaddr6.i.i, align 8, !noalias !81
   %.1617.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %ar.2.1.i.i, <8 x double> %.1616.i21.i, <8 x double> %.1614.i.i)
-  store <8 x double> %.1617.i.i, ptr %sunkaddr6.i.i, align 8, !noalias !80
+  store <8 x double> %.1617.i.i, ptr %sunkaddr6.i.i, align 8, !noalias !81
   %sunkaddr9.i26.i = getelementptr i8, ptr %sunkaddr713.i.i, i64 23552
-  %.1638.i.i249 = load <8 x double>, ptr %sunkaddr9.i26.i, align 8, !noalias !80
-  %.1641.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %ai.2.1.i.i, <8 x double> %.1616.i21.i, <8 x double> %.1638.i.i249)
-  store <8 x double> %.1641.i.i, ptr %sunkaddr9.i26.i, align 8, !noalias !80
+  %.1638.i.i246 = load <8 x double>, ptr %sunkaddr9.i26.i, align 8, !noalias !81
+  %.1641.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %ai.2.1.i.i, <8 x double> %.1616.i21.i, <8 x double> %.1638.i.i246)
+  store <8 x double> %.1641.i.i, ptr %sunkaddr9.i26.i, align 8, !noalias !81
   %sunkaddr12.i27.i = getelementptr i8, ptr %sunkaddr713.i.i, i64 24576
-  %.1843.i.i = load <8 x double>, ptr %sunkaddr12.i27.i, align 8, !noalias !80
+  %.1843.i.i = load <8 x double>, ptr %sunkaddr12.i27.i, align 8, !noalias !81
   %.1846.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %ar.2.1.i.i, <8 x double> %.1845.i.i, <8 x double> %.1843.i.i)
-  store <8 x double> %.1846.i.i, ptr %sunkaddr12.i27.i, align 8, !noalias !80
+  store <8 x double> %.1846.i.i, ptr %sunkaddr12.i27.i, align 8, !noalias !81
   %sunkaddr15.i28.i = getelementptr i8, ptr %sunkaddr713.i.i, i64 25600
-  %.1867.i.i = load <8 x double>, ptr %sunkaddr15.i28.i, align 8, !noalias !80
+  %.1867.i.i = load <8 x double>, ptr %sunkaddr15.i28.i, align 8, !noalias !81
   %.1870.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %ai.2.1.i.i, <8 x double> %.1845.i.i, <8 x double> %.1867.i.i)
-  store <8 x double> %.1870.i.i, ptr %sunkaddr15.i28.i, align 8, !noalias !80
-  %.1972.i.i250 = getelementptr inbounds double, ptr %.1249.i, i64 %.377.sroa.0.0487.i.i
-  %.1974.i.i251 = load <8 x double>, ptr %.1972.i.i250, align 8, !noalias !80
+  store <8 x double> %.1870.i.i, ptr %sunkaddr15.i28.i, align 8, !noalias !81
+  %.1972.i.i247 = getelementptr inbounds double, ptr %.1249.i, i64 %.377.sroa.0.0487.i.i
+  %.1974.i.i248 = load <8 x double>, ptr %.1972.i.i247, align 8, !noalias !81
   %sunkaddr18.i29.i = getelementptr i8, ptr %sunkaddr713.i.i, i64 1024
-  %.2070.i.i252 = load <8 x double>, ptr %sunkaddr18.i29.i, align 8, !noalias !80
+  %.2070.i.i249 = load <8 x double>, ptr %sunkaddr18.i29.i, align 8, !noalias !81
   %sunkaddr21.i30.i = getelementptr i8, ptr %sunkaddr713.i.i, i64 2048
-  %.2165.i.i253 = load <8 x double>, ptr %sunkaddr21.i30.i, align 8, !noalias !80
+  %.2165.i.i250 = load <8 x double>, ptr %sunkaddr21.i30.i, align 8, !noalias !81
   %sunkaddr24.i31.i = getelementptr i8, ptr %sunkaddr713.i.i, i64 3072
-  %.2261.i.i254 = load <8 x double>, ptr %sunkaddr24.i31.i, align 8, !noalias !80
-  %.6.i571.i.i = fmul contract <8 x double> %ar.2.1.i.i, %.1974.i.i251
-  %.6.i572.i.i = fmul contract <8 x double> %ai.2.1.i.i, %.2070.i.i252
-  %.6.i573.i.i = fsub contract <8 x double> %.6.i571.i.i, %.6.i572.i.i
-  %.6.i574.i.i = fadd contract <8 x double> %by_plus.2.0483.i.i, %.6.i573.i.i
-  %.6.i575.i.i = fmul contract <8 x double> %ar.2.1.i.i, %.2165.i.i253
-  %.6.i576.i.i = fmul contract <8 x double> %ai.2.1.i.i, %.2261.i.i254
-  %.6.i577.i.i = fsub contract <8 x double> %.6.i575.i.i, %.6.i576.i.i
+  %.2261.i.i251 = load <8 x double>, ptr %sunkaddr24.i31.i, align 8, !noalias !81
+  %.6.i571.i.i = fmul contract <8 x double> %ar.2.1.i.i, %.1974.i.i248
+  %.6.i572.i.i252 = fmul contract <8 x double> %ai.2.1.i.i, %.2070.i.i249
+  %.6.i573.i.i = fsub contract <8 x double> %.6.i571.i.i, %.6.i572.i.i252
+  %.6.i574.i.i253 = fadd contract <8 x double> %by_plus.2.0483.i.i, %.6.i573.i.i
+  %.6.i575.i.i = fmul contract <8 x double> %ar.2.1.i.i, %.2165.i.i250
+  %.6.i576.i.i254 = fmul contract <8 x double> %ai.2.1.i.i, %.2261.i.i251
+  %.6.i577.i.i = fsub contract <8 x double> %.6.i575.i.i, %.6.i576.i.i254
   %.6.i578.i.i = fadd contract <8 x double> %by_cross.2.0482.i.i, %.6.i577.i.i
   %.387.i.i255 = icmp samesign ugt i64 %.332.1486.in.i.i, 1
   %.400.i.i256 = add i64 %.329.1485.i.i, 8
   %.329.1.i.i = select i1 %.387.i.i255, i64 %.400.i.i256, i64 %.329.1485.i.i
-  %297 = tail call i64 @llvm.smax.i64(i64 %.332.1486.in.i.i, i64 2)
-  %298 = add nsw i64 %297, -1
+  %275 = tail call i64 @llvm.smax.i64(i64 %.332.1486.in.i.i, i64 2)
+  %276 = add nsw i64 %275, -1
   %.377.sroa.0.0.i.i = select i1 %.387.i.i255, i64 %.329.1485.i.i, i64 0
-  br i1 %.387.i.i255, label %B246.i.i, label %_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v406B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.387.i.i255, label %B246.i.i, label %_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v419B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
-_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v406B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B962.i.i, %B1258.i
+_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v419B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B962.i.i, %B1258.i
   %by_cross.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1258.i ], [ %.6.i578.i.i, %B962.i.i ]
-  %by_plus.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1258.i ], [ %.6.i574.i.i, %B962.i.i ]
+  %by_plus.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1258.i ], [ %.6.i574.i.i253, %B962.i.i ]
   %by_time.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1258.i ], [ %.6.i528.i.i, %B962.i.i ]
-  store <8 x double> %by_plus.2.0.lcssa.i.i, ptr %.1612.i, align 8, !noalias !80
-  %.2535.i.i = load double, ptr %.1612.i, align 8, !noalias !80
-  %.2564.i.i = load double, ptr %.5616.i.i, align 8, !noalias !80
+  store <8 x double> %by_plus.2.0.lcssa.i.i, ptr %.1612.i, align 8, !noalias !81
+  %.2535.i.i = load double, ptr %.1612.i, align 8, !noalias !81
+  %.2564.i.i = load double, ptr %.5616.i.i, align 8, !noalias !81
   %.2565.i.i = fadd contract double %.2535.i.i, %.2564.i.i
-  %.2594.i.i = load double, ptr %.5646.i.i, align 8, !noalias !80
-  %.2623.i.i257 = load double, ptr %.5675.i.i, align 8, !noalias !80
+  %.2594.i.i = load double, ptr %.5646.i.i, align 8, !noalias !81
+  %.2623.i.i257 = load double, ptr %.5675.i.i, align 8, !noalias !81
   %.2624.i.i258 = fadd contract double %.2594.i.i, %.2623.i.i257
   %.2625.i.i = fadd contract double %.2565.i.i, %.2624.i.i258
-  %.2654.i.i = load double, ptr %.5706.i.i, align 8, !noalias !80
-  %.2683.i.i = load double, ptr %.5735.i.i, align 8, !noalias !80
+  %.2654.i.i = load double, ptr %.5706.i.i, align 8, !noalias !81
+  %.2683.i.i = load double, ptr %.5735.i.i, align 8, !noalias !81
   %.2684.i.i = fadd contract double %.2654.i.i, %.2683.i.i
-  %.2713.i.i = load double, ptr %.5765.i.i, align 8, !noalias !80
-  %.2742.i.i = load double, ptr %.5794.i.i, align 8, !noalias !80
+  %.2713.i.i = load double, ptr %.5765.i.i, align 8, !noalias !81
+  %.2742.i.i = load double, ptr %.5794.i.i, align 8, !noalias !81
   %.2746.i.i = fadd contract double %.2713.i.i, %.2742.i.i
   %.2747.i.i259 = fadd contract double %.2684.i.i, %.2746.i.i
   %.2748.i.i260 = fadd contract double %.2625.i.i, %.2747.i.i259
-  store <8 x double> %by_cross.2.0.lcssa.i.i, ptr %.1612.i, align 8, !noalias !80
-  %.2794.i.i = load double, ptr %.1612.i, align 8, !noalias !80
-  %.2823.i.i = load double, ptr %.5616.i.i, align 8, !noalias !80
+  store <8 x double> %by_cross.2.0.lcssa.i.i, ptr %.1612.i, align 8, !noalias !81
+  %.2794.i.i = load double, ptr %.1612.i, align 8, !noalias !81
+  %.2823.i.i = load double, ptr %.5616.i.i, align 8, !noalias !81
   %.2824.i.i = fadd contract double %.2794.i.i, %.2823.i.i
-  %.2853.i.i = load double, ptr %.5646.i.i, align 8, !noalias !80
-  %.2882.i.i = load double, ptr %.5675.i.i, align 8, !noalias !80
+  %.2853.i.i = load double, ptr %.5646.i.i, align 8, !noalias !81
+  %.2882.i.i = load double, ptr %.5675.i.i, align 8, !noalias !81
   %.2883.i.i = fadd contract double %.2853.i.i, %.2882.i.i
   %.2884.i.i = fadd contract double %.2824.i.i, %.2883.i.i
-  %.2913.i.i = load double, ptr %.5706.i.i, align 8, !noalias !80
-  %.2942.i.i261 = load double, ptr %.5735.i.i, align 8, !noalias !80
+  %.2913.i.i = load double, ptr %.5706.i.i, align 8, !noalias !81
+  %.2942.i.i261 = load double, ptr %.5735.i.i, align 8, !noalias !81
   %.2943.i.i262 = fadd contract double %.2913.i.i, %.2942.i.i261
-  %.2972.i.i = load double, ptr %.5765.i.i, align 8, !noalias !80
-  %.3001.i.i = load double, ptr %.5794.i.i, align 8, !noalias !80
+  %.2972.i.i = load double, ptr %.5765.i.i, align 8, !noalias !81
+  %.3001.i.i = load double, ptr %.5794.i.i, align 8, !noalias !81
   %.3005.i.i = fadd contract double %.2972.i.i, %.3001.i.i
   %.3006.i.i = fadd contract double %.2943.i.i262, %.3005.i.i
   %.3007.i.i263 = fadd contract double %.2884.i.i, %.3006.i.i
-  %.3037.i.i = load double, ptr %.5541.i.i, align 8, !noalias !80
-  %.3072.i.i = load double, ptr %sunkaddr8.i.i, align 8, !noalias !80
-  %.3102.i.i = load double, ptr %sunkaddr11.i.i155, align 8, !noalias !80
+  %.3037.i.i = load double, ptr %.5541.i.i, align 8, !noalias !81
+  %.3072.i.i = load double, ptr %sunkaddr8.i.i, align 8, !noalias !81
+  %.3102.i.i = load double, ptr %sunkaddr11.i.i148, align 8, !noalias !81
   %.3106.i.i = fmul contract double %.3102.i.i, 2.000000e+00
   %.3107.i.i264 = fadd contract double %.3072.i.i, %.3106.i.i
   %.3108.i.i = fmul contract double %.2748.i.i260, %.3107.i.i264
-  %.3148.i.i = load double, ptr %sunkaddr13.i.i, align 8, !noalias !80
-  %.3178.i.i = load double, ptr %sunkaddr16.i.i158, align 8, !noalias !80
+  %.3148.i.i = load double, ptr %sunkaddr13.i.i, align 8, !noalias !81
+  %.3178.i.i = load double, ptr %sunkaddr16.i.i151, align 8, !noalias !81
   %.3182.i.i = fmul contract double %.3178.i.i, 2.000000e+00
   %.3183.i.i = fadd contract double %.3148.i.i, %.3182.i.i
   %.3184.i.i = fmul contract double %.3007.i.i263, %.3183.i.i
   %.3185.i.i = fadd contract double %.3108.i.i, %.3184.i.i
   %.3186.i.i = fadd contract double %.3037.i.i, %.3185.i.i
-  store double %.3186.i.i, ptr %.5541.i.i, align 8, !noalias !80
-  %.3246.i.i = load double, ptr %.5861.i.i, align 8, !noalias !80
-  %.3280.i.i = load double, ptr %lsr.iv, align 8, !noalias !80
-  %.3310.i.i = load double, ptr %sunkaddr19.i.i159, align 8, !noalias !80
+  store double %.3186.i.i, ptr %.5541.i.i, align 8, !noalias !81
+  %.3246.i.i = load double, ptr %.5861.i.i, align 8, !noalias !81
+  %.3280.i.i = load double, ptr %lsr.iv, align 8, !noalias !81
+  %.3310.i.i = load double, ptr %sunkaddr19.i.i152, align 8, !noalias !81
   %.3311.i.i = fadd contract double %.3280.i.i, %.3310.i.i
-  %.3341.i.i = load double, ptr %sunkaddr20.i.i161, align 8, !noalias !80
+  %.3341.i.i = load double, ptr %sunkaddr20.i.i154, align 8, !noalias !81
   %.3345.i.i = fadd contract double %.3311.i.i, %.3341.i.i
   %.3346.i.i = fmul contract double %.2748.i.i260, %.3345.i.i
   %.3347.i.i = fadd contract double %.3246.i.i, %.3346.i.i
-  store double %.3347.i.i, ptr %.5861.i.i, align 8, !noalias !80
-  %.3441.i.i = load double, ptr %sunkaddr23.i.i, align 8, !noalias !80
-  %.3471.i.i = load double, ptr %sunkaddr22.i.i, align 8, !noalias !80
+  store double %.3347.i.i, ptr %.5861.i.i, align 8, !noalias !81
+  %.3441.i.i = load double, ptr %sunkaddr23.i.i, align 8, !noalias !81
+  %.3471.i.i = load double, ptr %sunkaddr22.i.i, align 8, !noalias !81
   %.3472.i.i = fadd contract double %.3441.i.i, %.3471.i.i
-  %.3502.i.i = load double, ptr %sunkaddr25.i.i, align 8, !noalias !80
+  %.3502.i.i = load double, ptr %sunkaddr25.i.i, align 8, !noalias !81
   %.3506.i.i = fadd contract double %.3472.i.i, %.3502.i.i
   %.3507.i.i = fmul contract double %.3007.i.i263, %.3506.i.i
   %.3508.i.i = fadd contract double %.3347.i.i, %.3507.i.i
-  store double %.3508.i.i, ptr %.5861.i.i, align 8, !noalias !80
-  %.3568.i.i = load double, ptr %.6181.i.i, align 8, !noalias !80
+  store double %.3508.i.i, ptr %.5861.i.i, align 8, !noalias !81
+  %.3568.i.i = load double, ptr %.6181.i.i, align 8, !noalias !81
   %.3570.i.i = fmul contract double %.284.i.i, %.2748.i.i260
   %.3574.i.i = fmul contract double %.185.i.i, %.3007.i.i263
   %.3577.i.i = fsub contract double %.3570.i.i, %.3574.i.i
@@ -3709,69 +3738,69 @@ _ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v406B86c8t
   br label %B1362.i
 
 B1350.i:                                          ; preds = %B1158.i
-  br i1 %.93.inv.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B250.lr.ph.i.i
+  br i1 %.93.inv.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v464B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B250.lr.ph.i.i
 
 B250.lr.ph.i.i:                                   ; preds = %B1350.i
-  %.144.i.i = load double, ptr %sunkaddr82.i, align 8, !noalias !83
-  %.115.i.i = load double, ptr %sunkaddr85.i, align 8, !noalias !83
+  %.144.i.i = load double, ptr %sunkaddr82.i, align 8, !noalias !84
+  %.115.i.i = load double, ptr %sunkaddr85.i, align 8, !noalias !84
   %.6.i4376.i.i = insertelement <8 x double> poison, double %.115.i.i, i64 0
   %.7.i.i33.i = shufflevector <8 x double> %.6.i4376.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.6.i4378.i.i = insertelement <8 x double> poison, double %.144.i.i, i64 0
   %.7.i4379.i.i = shufflevector <8 x double> %.6.i4378.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   br label %B250.i.i
 
-B250.i.i:                                         ; preds = %B6249.i.i, %B250.lr.ph.i.i
-  %.269.sroa.0.04226.i.i = phi i64 [ 0, %B250.lr.ph.i.i ], [ %.269.sroa.0.0.i.i, %B6249.i.i ]
-  %.224.14225.in.i.i = phi i64 [ %263, %B250.lr.ph.i.i ], [ %304, %B6249.i.i ]
-  %.221.14224.i.i = phi i64 [ 8, %B250.lr.ph.i.i ], [ %.221.1.i.i, %B6249.i.i ]
-  %by_time.2.04223.i.i = phi <8 x double> [ zeroinitializer, %B250.lr.ph.i.i ], [ %.6.i4263.i.i, %B6249.i.i ]
-  %by_polarization.2.04222.i.i = phi <8 x double> [ zeroinitializer, %B250.lr.ph.i.i ], [ %.6.i4464.i.i, %B6249.i.i ]
-  %by_declination.2.04221.i.i = phi <8 x double> [ zeroinitializer, %B250.lr.ph.i.i ], [ %.6.i4435.i.i, %B6249.i.i ]
-  %by_hour.2.04220.i.i = phi <8 x double> [ zeroinitializer, %B250.lr.ph.i.i ], [ %.6.i4382.i.i, %B6249.i.i ]
+B250.i.i:                                         ; preds = %B6309.i.i, %B250.lr.ph.i.i
+  %.269.sroa.0.04226.i.i = phi i64 [ 0, %B250.lr.ph.i.i ], [ %.269.sroa.0.0.i.i, %B6309.i.i ]
+  %.224.14225.in.i.i = phi i64 [ %241, %B250.lr.ph.i.i ], [ %282, %B6309.i.i ]
+  %.221.14224.i.i = phi i64 [ 8, %B250.lr.ph.i.i ], [ %.221.1.i.i, %B6309.i.i ]
+  %by_time.2.04223.i.i = phi <8 x double> [ zeroinitializer, %B250.lr.ph.i.i ], [ %.6.i4263.i.i, %B6309.i.i ]
+  %by_polarization.2.04222.i.i = phi <8 x double> [ zeroinitializer, %B250.lr.ph.i.i ], [ %.6.i4464.i.i, %B6309.i.i ]
+  %by_declination.2.04221.i.i = phi <8 x double> [ zeroinitializer, %B250.lr.ph.i.i ], [ %.6.i4435.i.i, %B6309.i.i ]
+  %by_hour.2.04220.i.i = phi <8 x double> [ zeroinitializer, %B250.lr.ph.i.i ], [ %.6.i4382.i.i, %B6309.i.i ]
   %sunkaddr.i34.i = shl i64 %.269.sroa.0.04226.i.i, 3
   %sunkaddr4737.i.i = getelementptr inbounds i8, ptr %.432, i64 %sunkaddr.i34.i
   %sunkaddr4738.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr4737.i.i, i64 6144
-  %.411.i.i = load <8 x double>, ptr %sunkaddr4738.i.i, align 8, !noalias !83
+  %.411.i.i = load <8 x double>, ptr %sunkaddr4738.i.i, align 8, !noalias !84
   %sunkaddr4741.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr4737.i.i, i64 7168
-  %.507.i.i = load <8 x double>, ptr %sunkaddr4741.i.i, align 8, !noalias !83
+  %.507.i.i = load <8 x double>, ptr %sunkaddr4741.i.i, align 8, !noalias !84
   %sunkaddr4743.i.i = getelementptr inbounds i8, ptr %.1249.i, i64 %sunkaddr.i34.i
   %sunkaddr4744.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr4743.i.i, i64 6144
-  %.602.i35.i = load <8 x double>, ptr %sunkaddr4744.i.i, align 8, !noalias !83
+  %.602.i35.i = load <8 x double>, ptr %sunkaddr4744.i.i, align 8, !noalias !84
   %sunkaddr4747.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr4743.i.i, i64 7168
-  %.698.i.i = load <8 x double>, ptr %sunkaddr4747.i.i, align 8, !noalias !83
+  %.698.i.i = load <8 x double>, ptr %sunkaddr4747.i.i, align 8, !noalias !84
   %sunkaddr4750.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr4737.i.i, i64 8192
-  %.793.i.i234 = load <8 x double>, ptr %sunkaddr4750.i.i, align 8, !noalias !83
+  %.793.i.i230 = load <8 x double>, ptr %sunkaddr4750.i.i, align 8, !noalias !84
   %sunkaddr4753.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr4737.i.i, i64 9216
-  %.889.i.i235 = load <8 x double>, ptr %sunkaddr4753.i.i, align 8, !noalias !83
+  %.889.i.i = load <8 x double>, ptr %sunkaddr4753.i.i, align 8, !noalias !84
   %.1028.i36.i = getelementptr inbounds double, ptr %.311.i, i64 %.269.sroa.0.04226.i.i
-  %.1030.i.i = load <8 x double>, ptr %.1028.i36.i, align 8, !noalias !83
+  %.1030.i.i = load <8 x double>, ptr %.1028.i36.i, align 8, !noalias !84
   %sunkaddr4756.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr4743.i.i, i64 4096
-  %.1173.i.i = load <8 x double>, ptr %sunkaddr4756.i.i, align 8, !noalias !83
+  %.1173.i.i = load <8 x double>, ptr %sunkaddr4756.i.i, align 8, !noalias !84
   %sunkaddr4759.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr4743.i.i, i64 5120
-  %.1269.i37.i = load <8 x double>, ptr %sunkaddr4759.i.i, align 8, !noalias !83
+  %.1269.i37.i = load <8 x double>, ptr %sunkaddr4759.i.i, align 8, !noalias !84
   %.1368.i.i = getelementptr inbounds double, ptr %.432, i64 %.269.sroa.0.04226.i.i
-  %.1370.i.i = load <8 x double>, ptr %.1368.i.i, align 8, !noalias !83
+  %.1370.i.i = load <8 x double>, ptr %.1368.i.i, align 8, !noalias !84
   %sunkaddr4762.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr4737.i.i, i64 1024
-  %.1466.i.i = load <8 x double>, ptr %sunkaddr4762.i.i, align 8, !noalias !83
-  %299 = fneg contract <8 x double> %.1466.i.i
-  %.8.i4287.i.i = fmul contract <8 x double> %.507.i.i, %299
+  %.1466.i.i231 = load <8 x double>, ptr %sunkaddr4762.i.i, align 8, !noalias !84
+  %277 = fneg contract <8 x double> %.1466.i.i231
+  %.8.i4287.i.i = fmul contract <8 x double> %.507.i.i, %277
   %.1519.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.411.i.i, <8 x double> %.1370.i.i, <8 x double> %.8.i4287.i.i)
   %.6.i4288.i.i = fmul contract <8 x double> %.507.i.i, %.1370.i.i
-  %.1544.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.411.i.i, <8 x double> %.1466.i.i, <8 x double> %.6.i4288.i.i)
+  %.1544.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.411.i.i, <8 x double> %.1466.i.i231, <8 x double> %.6.i4288.i.i)
   %sunkaddr4765.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr4743.i.i, i64 8192
-  %.1657.i.i236 = load <8 x double>, ptr %sunkaddr4765.i.i, align 8, !noalias !83
+  %.1657.i.i232 = load <8 x double>, ptr %sunkaddr4765.i.i, align 8, !noalias !84
   %sunkaddr4768.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr4743.i.i, i64 9216
-  %.1753.i.i = load <8 x double>, ptr %sunkaddr4768.i.i, align 8, !noalias !83
-  %300 = fneg contract <8 x double> %.1753.i.i
-  %.8.i4300.i.i = fmul contract <8 x double> %.1544.i.i, %300
-  %.1805.i.i237 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1519.i.i, <8 x double> %.1657.i.i236, <8 x double> %.8.i4300.i.i)
-  %.6.i4301.i.i = fmul contract <8 x double> %.1544.i.i, %.1657.i.i236
+  %.1753.i.i = load <8 x double>, ptr %sunkaddr4768.i.i, align 8, !noalias !84
+  %278 = fneg contract <8 x double> %.1753.i.i
+  %.8.i4300.i.i = fmul contract <8 x double> %.1544.i.i, %278
+  %.1805.i.i233 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1519.i.i, <8 x double> %.1657.i.i232, <8 x double> %.8.i4300.i.i)
+  %.6.i4301.i.i = fmul contract <8 x double> %.1544.i.i, %.1657.i.i232
   %.1830.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1519.i.i, <8 x double> %.1753.i.i, <8 x double> %.6.i4301.i.i)
   br label %B2058.if.i.i
 
-B6249.i.i:                                        ; preds = %B2058.if.i.i
-  %.6.i.i38.i = fmul contract <8 x double> %.602.i35.i, %.793.i.i234
-  %.6.i4261.i.i = fmul contract <8 x double> %.698.i.i, %.889.i.i235
+B6309.i.i:                                        ; preds = %B2058.if.i.i
+  %.6.i.i38.i = fmul contract <8 x double> %.602.i35.i, %.793.i.i230
+  %.6.i4261.i.i = fmul contract <8 x double> %.698.i.i, %.889.i.i
   %.6.i4262.i.i = fsub contract <8 x double> %.6.i.i38.i, %.6.i4261.i.i
   %.6.i4263.i.i = fadd contract <8 x double> %by_time.2.04223.i.i, %.6.i4262.i.i
   %.6.i4264.i.i = fmul contract <8 x double> %.507.i.i, %.602.i35.i
@@ -3779,35 +3808,35 @@ B6249.i.i:                                        ; preds = %B2058.if.i.i
   %.1019.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.411.i.i, <8 x double> %.698.i.i, <8 x double> %.6.i4264.i.i)
   %.6.i4265.i.i = fmul contract <8 x double> %.1019.i.i, %.8.i.i39.i
   %.2648.i.i = getelementptr inbounds double, ptr %.1249.i, i64 %.269.sroa.0.04226.i.i
-  %.2650.i.i = load <8 x double>, ptr %.2648.i.i, align 8, !noalias !83
+  %.2650.i.i = load <8 x double>, ptr %.2648.i.i, align 8, !noalias !84
   %sunkaddr3.i40.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 1024
-  %.2746.i41.i = load <8 x double>, ptr %sunkaddr3.i40.i, align 8, !noalias !83
-  %301 = fneg contract <8 x double> %.2746.i41.i
-  %.8.i4333.i.i = fmul contract <8 x double> %.1830.i.i, %301
-  %.2800.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i237, <8 x double> %.2650.i.i, <8 x double> %.8.i4333.i.i)
+  %.2746.i41.i = load <8 x double>, ptr %sunkaddr3.i40.i, align 8, !noalias !84
+  %279 = fneg contract <8 x double> %.2746.i41.i
+  %.8.i4333.i.i = fmul contract <8 x double> %.1830.i.i, %279
+  %.2800.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i233, <8 x double> %.2650.i.i, <8 x double> %.8.i4333.i.i)
   %.6.i4334.i.i = fmul contract <8 x double> %.1830.i.i, %.2650.i.i
-  %.2825.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i237, <8 x double> %.2746.i41.i, <8 x double> %.6.i4334.i.i)
+  %.2825.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i233, <8 x double> %.2746.i41.i, <8 x double> %.6.i4334.i.i)
   %sunkaddr6.i42.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 2048
-  %.2938.i.i = load <8 x double>, ptr %sunkaddr6.i42.i, align 8, !noalias !83
+  %.2938.i.i = load <8 x double>, ptr %sunkaddr6.i42.i, align 8, !noalias !84
   %sunkaddr9.i43.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 3072
-  %.3039.i.i = load <8 x double>, ptr %sunkaddr9.i43.i, align 8, !noalias !83
-  %302 = fneg contract <8 x double> %.3039.i.i
-  %.8.i4346.i.i = fmul contract <8 x double> %.1830.i.i, %302
-  %.3099.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i237, <8 x double> %.2938.i.i, <8 x double> %.8.i4346.i.i)
+  %.3039.i.i = load <8 x double>, ptr %sunkaddr9.i43.i, align 8, !noalias !84
+  %280 = fneg contract <8 x double> %.3039.i.i
+  %.8.i4346.i.i = fmul contract <8 x double> %.1830.i.i, %280
+  %.3099.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i233, <8 x double> %.2938.i.i, <8 x double> %.8.i4346.i.i)
   %.6.i4347.i.i = fmul contract <8 x double> %.1830.i.i, %.2938.i.i
-  %.3124.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i237, <8 x double> %.3039.i.i, <8 x double> %.6.i4347.i.i)
+  %.3124.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i233, <8 x double> %.3039.i.i, <8 x double> %.6.i4347.i.i)
   %sunkaddr12.i44.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 14336
-  %.3282.i.i = load <8 x double>, ptr %sunkaddr12.i44.i, align 8, !noalias !83
+  %.3282.i.i = load <8 x double>, ptr %sunkaddr12.i44.i, align 8, !noalias !84
   %.6.i4353.i.i = fmul contract <8 x double> %.2800.i.i, %.3282.i.i
   %sunkaddr15.i45.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 15360
-  %.3400.i.i = load <8 x double>, ptr %sunkaddr15.i45.i, align 8, !noalias !83
+  %.3400.i.i = load <8 x double>, ptr %sunkaddr15.i45.i, align 8, !noalias !84
   %.6.i4359.i.i = fmul contract <8 x double> %.2825.i.i, %.3400.i.i
   %.6.i4360.i.i = fsub contract <8 x double> %.6.i4353.i.i, %.6.i4359.i.i
   %sunkaddr18.i46.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 16384
-  %.3542.i.i = load <8 x double>, ptr %sunkaddr18.i46.i, align 8, !noalias !83
+  %.3542.i.i = load <8 x double>, ptr %sunkaddr18.i46.i, align 8, !noalias !84
   %.6.i4366.i.i = fmul contract <8 x double> %.3099.i.i, %.3542.i.i
   %sunkaddr21.i47.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 17408
-  %.3663.i.i = load <8 x double>, ptr %sunkaddr21.i47.i, align 8, !noalias !83
+  %.3663.i.i = load <8 x double>, ptr %sunkaddr21.i47.i, align 8, !noalias !84
   %.6.i4372.i.i = fmul contract <8 x double> %.3124.i.i, %.3663.i.i
   %.6.i4373.i.i = fsub contract <8 x double> %.6.i4366.i.i, %.6.i4372.i.i
   %.6.i4374.i.i = fadd contract <8 x double> %.6.i4360.i.i, %.6.i4373.i.i
@@ -3818,50 +3847,50 @@ B6249.i.i:                                        ; preds = %B2058.if.i.i
   %.3842.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i4265.i.i, <8 x double> %.6.i4381.i.i, <8 x double> %.6.i4374.i.i)
   %.6.i4382.i.i = fadd contract <8 x double> %by_hour.2.04220.i.i, %.3842.i.i
   %sunkaddr24.i48.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 26624
-  %.3961.i.i = load <8 x double>, ptr %sunkaddr24.i48.i, align 8, !noalias !83
+  %.3961.i.i = load <8 x double>, ptr %sunkaddr24.i48.i, align 8, !noalias !84
   %.8.i4398.i.i = fmul contract <8 x double> %.7.i4379.i.i, %.1173.i.i
   %.6.i4399.i.i = fadd contract <8 x double> %.8.i4398.i.i, %.8.i4377.i.i
   %.4126.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i4265.i.i, <8 x double> %.6.i4399.i.i, <8 x double> %.6.i4374.i.i)
   %.6.i4400.i.i = fadd contract <8 x double> %.3961.i.i, %.4126.i.i
-  store <8 x double> %.6.i4400.i.i, ptr %sunkaddr24.i48.i, align 8, !noalias !83
+  store <8 x double> %.6.i4400.i.i, ptr %sunkaddr24.i48.i, align 8, !noalias !84
   %sunkaddr27.i.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 18432
-  %.4261.i.i = load <8 x double>, ptr %sunkaddr27.i.i, align 8, !noalias !83
+  %.4261.i.i = load <8 x double>, ptr %sunkaddr27.i.i, align 8, !noalias !84
   %.6.i4406.i.i = fmul contract <8 x double> %.2800.i.i, %.4261.i.i
   %sunkaddr30.i.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 19456
-  %.4379.i.i = load <8 x double>, ptr %sunkaddr30.i.i, align 8, !noalias !83
+  %.4379.i.i = load <8 x double>, ptr %sunkaddr30.i.i, align 8, !noalias !84
   %.6.i4412.i.i = fmul contract <8 x double> %.2825.i.i, %.4379.i.i
   %.6.i4413.i.i = fsub contract <8 x double> %.6.i4406.i.i, %.6.i4412.i.i
   %sunkaddr33.i.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 20480
-  %.4521.i.i = load <8 x double>, ptr %sunkaddr33.i.i, align 8, !noalias !83
+  %.4521.i.i = load <8 x double>, ptr %sunkaddr33.i.i, align 8, !noalias !84
   %.6.i4419.i.i = fmul contract <8 x double> %.3099.i.i, %.4521.i.i
   %sunkaddr36.i.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 21504
-  %.4642.i.i = load <8 x double>, ptr %sunkaddr36.i.i, align 8, !noalias !83
+  %.4642.i.i = load <8 x double>, ptr %sunkaddr36.i.i, align 8, !noalias !84
   %.6.i4425.i.i = fmul contract <8 x double> %.3124.i.i, %.4642.i.i
   %.6.i4426.i.i = fsub contract <8 x double> %.6.i4419.i.i, %.6.i4425.i.i
   %.6.i4427.i.i = fadd contract <8 x double> %.6.i4413.i.i, %.6.i4426.i.i
-  %.4747.i.i = load double, ptr %sunkaddr37.i.i, align 8, !noalias !83
+  %.4747.i.i = load double, ptr %sunkaddr37.i.i, align 8, !noalias !84
   %.6.i4428.i.i = insertelement <8 x double> poison, double %.4747.i.i, i64 0
   %.7.i4429.i.i = shufflevector <8 x double> %.6.i4428.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.8.i4430.i.i = fmul contract <8 x double> %.6.i4375.i.i, %.7.i4429.i.i
-  %.4801.i.i = load double, ptr %sunkaddr38.i.i, align 8, !noalias !83
+  %.4801.i.i = load double, ptr %sunkaddr38.i.i, align 8, !noalias !84
   %.6.i4431.i.i = insertelement <8 x double> poison, double %.4801.i.i, i64 0
   %.7.i4432.i.i = shufflevector <8 x double> %.6.i4431.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.8.i4433.i.i = fmul contract <8 x double> %.1269.i37.i, %.7.i4432.i.i
   %.6.i4434.i.i = fadd contract <8 x double> %.8.i4430.i.i, %.8.i4433.i.i
   %.4854.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i4265.i.i, <8 x double> %.6.i4434.i.i, <8 x double> %.6.i4427.i.i)
   %.6.i4435.i.i = fadd contract <8 x double> %by_declination.2.04221.i.i, %.4854.i.i
-  %sunkaddr41.i.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 12288
-  %.4982.i.i = load <8 x double>, ptr %sunkaddr41.i.i, align 8, !noalias !83
+  %sunkaddr41.i.i239 = getelementptr i8, ptr %sunkaddr4743.i.i, i64 12288
+  %.4982.i.i = load <8 x double>, ptr %sunkaddr41.i.i239, align 8, !noalias !84
   %.6.i4441.i.i = fmul contract <8 x double> %.2800.i.i, %.4982.i.i
-  %sunkaddr44.i.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 13312
-  %.5100.i.i = load <8 x double>, ptr %sunkaddr44.i.i, align 8, !noalias !83
+  %sunkaddr44.i.i240 = getelementptr i8, ptr %sunkaddr4743.i.i, i64 13312
+  %.5100.i.i = load <8 x double>, ptr %sunkaddr44.i.i240, align 8, !noalias !84
   %.6.i4447.i.i = fmul contract <8 x double> %.2825.i.i, %.5100.i.i
   %.6.i4448.i.i = fsub contract <8 x double> %.6.i4441.i.i, %.6.i4447.i.i
   %sunkaddr47.i.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 10240
-  %.5241.i.i = load <8 x double>, ptr %sunkaddr47.i.i, align 8, !noalias !83
+  %.5241.i.i = load <8 x double>, ptr %sunkaddr47.i.i, align 8, !noalias !84
   %.6.i4454.i.i = fmul contract <8 x double> %.3099.i.i, %.5241.i.i
   %sunkaddr50.i.i = getelementptr i8, ptr %sunkaddr4743.i.i, i64 11264
-  %.5362.i.i = load <8 x double>, ptr %sunkaddr50.i.i, align 8, !noalias !83
+  %.5362.i.i = load <8 x double>, ptr %sunkaddr50.i.i, align 8, !noalias !84
   %.6.i4460.i.i = fmul contract <8 x double> %.3124.i.i, %.5362.i.i
   %.6.i4461.i.i = fsub contract <8 x double> %.6.i4454.i.i, %.6.i4460.i.i
   %.6.i4462.i.i = fsub contract <8 x double> %.6.i4448.i.i, %.6.i4461.i.i
@@ -3870,225 +3899,225 @@ B6249.i.i:                                        ; preds = %B2058.if.i.i
   %.279.i49.i = icmp samesign ugt i64 %.224.14225.in.i.i, 1
   %.292.i.i = add i64 %.221.14224.i.i, 8
   %.221.1.i.i = select i1 %.279.i49.i, i64 %.292.i.i, i64 %.221.14224.i.i
-  %303 = tail call i64 @llvm.smax.i64(i64 %.224.14225.in.i.i, i64 2)
-  %304 = add nsw i64 %303, -1
+  %281 = tail call i64 @llvm.smax.i64(i64 %.224.14225.in.i.i, i64 2)
+  %282 = add nsw i64 %281, -1
   %.269.sroa.0.0.i.i = select i1 %.279.i49.i, i64 %.221.14224.i.i, i64 0
-  br i1 %.279.i49.i, label %B250.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  br i1 %.279.i49.i, label %B250.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v464B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
 
 B2058.if.i.i:                                     ; preds = %B2058.if.i.i, %B250.i.i
-  %exitcond.not.i.i238 = phi i1 [ true, %B2058.if.i.i ], [ false, %B250.i.i ]
+  %exitcond.not.i.i234 = phi i1 [ true, %B2058.if.i.i ], [ false, %B250.i.i ]
   %.195769656975.i.i = phi i64 [ 2048, %B2058.if.i.i ], [ 0, %B250.i.i ]
-  %305 = getelementptr i8, ptr %.1249.i, i64 %.195769656975.i.i
-  %.2011.i.i = getelementptr i8, ptr %305, i64 10240
+  %283 = getelementptr i8, ptr %.1249.i, i64 %.195769656975.i.i
+  %.2011.i.i = getelementptr i8, ptr %283, i64 10240
   %.2081.i.i = getelementptr inbounds double, ptr %.2011.i.i, i64 %.269.sroa.0.04226.i.i
-  %.2083.i.i = load <8 x double>, ptr %.2081.i.i, align 8, !noalias !83
-  %.2107.i.i = getelementptr i8, ptr %305, i64 11264
+  %.2083.i.i = load <8 x double>, ptr %.2081.i.i, align 8, !noalias !84
+  %.2107.i.i = getelementptr i8, ptr %283, i64 11264
   %.2177.i.i = getelementptr inbounds double, ptr %.2107.i.i, i64 %.269.sroa.0.04226.i.i
-  %.2179.i.i = load <8 x double>, ptr %.2177.i.i, align 8, !noalias !83
-  %306 = fneg contract <8 x double> %.2179.i.i
-  %.8.i4313.i.i = fmul contract <8 x double> %.1830.i.i, %306
-  %.2233.i.i239 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i237, <8 x double> %.2083.i.i, <8 x double> %.8.i4313.i.i)
+  %.2179.i.i = load <8 x double>, ptr %.2177.i.i, align 8, !noalias !84
+  %284 = fneg contract <8 x double> %.2179.i.i
+  %.8.i4313.i.i = fmul contract <8 x double> %.1830.i.i, %284
+  %.2233.i.i235 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i233, <8 x double> %.2083.i.i, <8 x double> %.8.i4313.i.i)
   %.6.i4314.i.i = fmul contract <8 x double> %.1830.i.i, %.2083.i.i
-  %.2258.i.i240 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i237, <8 x double> %.2179.i.i, <8 x double> %.6.i4314.i.i)
-  %.2300.i.i241 = getelementptr i8, ptr %305, i64 22528
-  %.2385.i.i = getelementptr i8, ptr %305, i64 23552
-  %.2461.i.i = getelementptr inbounds double, ptr %.2300.i.i241, i64 %.269.sroa.0.04226.i.i
-  %.2463.i.i = load <8 x double>, ptr %.2461.i.i, align 8, !noalias !83
-  %.6.i4325.i.i = fadd contract <8 x double> %.2463.i.i, %.2233.i.i239
-  store <8 x double> %.6.i4325.i.i, ptr %.2461.i.i, align 8, !noalias !83
+  %.2258.i.i236 = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1805.i.i233, <8 x double> %.2179.i.i, <8 x double> %.6.i4314.i.i)
+  %.2300.i.i237 = getelementptr i8, ptr %283, i64 22528
+  %.2385.i.i = getelementptr i8, ptr %283, i64 23552
+  %.2461.i.i = getelementptr inbounds double, ptr %.2300.i.i237, i64 %.269.sroa.0.04226.i.i
+  %.2463.i.i = load <8 x double>, ptr %.2461.i.i, align 8, !noalias !84
+  %.6.i4325.i.i = fadd contract <8 x double> %.2463.i.i, %.2233.i.i235
+  store <8 x double> %.6.i4325.i.i, ptr %.2461.i.i, align 8, !noalias !84
   %.2508.i.i = getelementptr inbounds double, ptr %.2385.i.i, i64 %.269.sroa.0.04226.i.i
-  %.2510.i.i242 = load <8 x double>, ptr %.2508.i.i, align 8, !noalias !83
-  %.6.i4326.i.i = fadd contract <8 x double> %.2258.i.i240, %.2510.i.i242
-  store <8 x double> %.6.i4326.i.i, ptr %.2508.i.i, align 8, !noalias !83
-  br i1 %exitcond.not.i.i238, label %B6249.i.i, label %B2058.if.i.i
+  %.2510.i.i238 = load <8 x double>, ptr %.2508.i.i, align 8, !noalias !84
+  %.6.i4326.i.i = fadd contract <8 x double> %.2258.i.i236, %.2510.i.i238
+  store <8 x double> %.6.i4326.i.i, ptr %.2508.i.i, align 8, !noalias !84
+  br i1 %exitcond.not.i.i234, label %B6309.i.i, label %B2058.if.i.i
 
-_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B6249.i.i, %B1350.i
-  %by_hour.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1350.i ], [ %.6.i4382.i.i, %B6249.i.i ]
-  %by_declination.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1350.i ], [ %.6.i4435.i.i, %B6249.i.i ]
-  %by_polarization.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1350.i ], [ %.6.i4464.i.i, %B6249.i.i ]
-  %by_time.2.0.lcssa.i50.i = phi <8 x double> [ zeroinitializer, %B1350.i ], [ %.6.i4263.i.i, %B6249.i.i ]
-  %.5542.i.i = load double, ptr %.5541.i.i, align 8, !noalias !83
-  store <8 x double> %by_hour.2.0.lcssa.i.i, ptr %.1612.i, align 8, !noalias !83
-  %.5588.i.i = load double, ptr %.1612.i, align 8, !noalias !83
-  %.5617.i.i = load double, ptr %.5616.i.i, align 8, !noalias !83
+_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v464B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B6309.i.i, %B1350.i
+  %by_hour.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1350.i ], [ %.6.i4382.i.i, %B6309.i.i ]
+  %by_declination.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1350.i ], [ %.6.i4435.i.i, %B6309.i.i ]
+  %by_polarization.2.0.lcssa.i.i = phi <8 x double> [ zeroinitializer, %B1350.i ], [ %.6.i4464.i.i, %B6309.i.i ]
+  %by_time.2.0.lcssa.i50.i = phi <8 x double> [ zeroinitializer, %B1350.i ], [ %.6.i4263.i.i, %B6309.i.i ]
+  %.5542.i.i = load double, ptr %.5541.i.i, align 8, !noalias !84
+  store <8 x double> %by_hour.2.0.lcssa.i.i, ptr %.1612.i, align 8, !noalias !84
+  %.5588.i.i = load double, ptr %.1612.i, align 8, !noalias !84
+  %.5617.i.i = load double, ptr %.5616.i.i, align 8, !noalias !84
   %.5618.i.i = fadd contract double %.5588.i.i, %.5617.i.i
-  %.5647.i.i = load double, ptr %.5646.i.i, align 8, !noalias !83
-  %.5676.i.i = load double, ptr %.5675.i.i, align 8, !noalias !83
+  %.5647.i.i = load double, ptr %.5646.i.i, align 8, !noalias !84
+  %.5676.i.i = load double, ptr %.5675.i.i, align 8, !noalias !84
   %.5677.i.i = fadd contract double %.5647.i.i, %.5676.i.i
   %.5678.i.i = fadd contract double %.5618.i.i, %.5677.i.i
-  %.5707.i.i = load double, ptr %.5706.i.i, align 8, !noalias !83
-  %.5736.i.i = load double, ptr %.5735.i.i, align 8, !noalias !83
+  %.5707.i.i = load double, ptr %.5706.i.i, align 8, !noalias !84
+  %.5736.i.i = load double, ptr %.5735.i.i, align 8, !noalias !84
   %.5737.i.i = fadd contract double %.5707.i.i, %.5736.i.i
-  %.5766.i.i = load double, ptr %.5765.i.i, align 8, !noalias !83
-  %.5795.i.i = load double, ptr %.5794.i.i, align 8, !noalias !83
+  %.5766.i.i = load double, ptr %.5765.i.i, align 8, !noalias !84
+  %.5795.i.i = load double, ptr %.5794.i.i, align 8, !noalias !84
   %.5799.i.i = fadd contract double %.5766.i.i, %.5795.i.i
   %.5800.i.i = fadd contract double %.5737.i.i, %.5799.i.i
   %.5801.i.i = fadd contract double %.5678.i.i, %.5800.i.i
   %.5802.i.i = fadd contract double %.5542.i.i, %.5801.i.i
-  store double %.5802.i.i, ptr %.5541.i.i, align 8, !noalias !83
-  %.5862.i.i = load double, ptr %.5861.i.i, align 8, !noalias !83
-  store <8 x double> %by_declination.2.0.lcssa.i.i, ptr %.1612.i, align 8, !noalias !83
-  %.5908.i.i = load double, ptr %.1612.i, align 8, !noalias !83
-  %.5937.i.i = load double, ptr %.5616.i.i, align 8, !noalias !83
+  store double %.5802.i.i, ptr %.5541.i.i, align 8, !noalias !84
+  %.5862.i.i = load double, ptr %.5861.i.i, align 8, !noalias !84
+  store <8 x double> %by_declination.2.0.lcssa.i.i, ptr %.1612.i, align 8, !noalias !84
+  %.5908.i.i = load double, ptr %.1612.i, align 8, !noalias !84
+  %.5937.i.i = load double, ptr %.5616.i.i, align 8, !noalias !84
   %.5938.i.i = fadd contract double %.5908.i.i, %.5937.i.i
-  %.5967.i.i = load double, ptr %.5646.i.i, align 8, !noalias !83
-  %.5996.i.i = load double, ptr %.5675.i.i, align 8, !noalias !83
+  %.5967.i.i = load double, ptr %.5646.i.i, align 8, !noalias !84
+  %.5996.i.i = load double, ptr %.5675.i.i, align 8, !noalias !84
   %.5997.i.i = fadd contract double %.5967.i.i, %.5996.i.i
   %.5998.i.i = fadd contract double %.5938.i.i, %.5997.i.i
-  %.6027.i.i = load double, ptr %.5706.i.i, align 8, !noalias !83
-  %.6056.i.i = load double, ptr %.5735.i.i, align 8, !noalias !83
+  %.6027.i.i = load double, ptr %.5706.i.i, align 8, !noalias !84
+  %.6056.i.i = load double, ptr %.5735.i.i, align 8, !noalias !84
   %.6057.i.i = fadd contract double %.6027.i.i, %.6056.i.i
-  %.6086.i.i = load double, ptr %.5765.i.i, align 8, !noalias !83
-  %.6115.i.i = load double, ptr %.5794.i.i, align 8, !noalias !83
+  %.6086.i.i = load double, ptr %.5765.i.i, align 8, !noalias !84
+  %.6115.i.i = load double, ptr %.5794.i.i, align 8, !noalias !84
   %.6119.i.i = fadd contract double %.6086.i.i, %.6115.i.i
   %.6120.i.i = fadd contract double %.6057.i.i, %.6119.i.i
   %.6121.i.i = fadd contract double %.5998.i.i, %.6120.i.i
   %.6122.i.i = fadd contract double %.5862.i.i, %.6121.i.i
-  store double %.6122.i.i, ptr %.5861.i.i, align 8, !noalias !83
-  %.6182.i.i = load double, ptr %.6181.i.i, align 8, !noalias !83
-  store <8 x double> %by_polarization.2.0.lcssa.i.i, ptr %.1612.i, align 8, !noalias !83
-  %.6228.i.i = load double, ptr %.1612.i, align 8, !noalias !83
-  %.6257.i.i = load double, ptr %.5616.i.i, align 8, !noalias !83
+  store double %.6122.i.i, ptr %.5861.i.i, align 8, !noalias !84
+  %.6182.i.i = load double, ptr %.6181.i.i, align 8, !noalias !84
+  store <8 x double> %by_polarization.2.0.lcssa.i.i, ptr %.1612.i, align 8, !noalias !84
+  %.6228.i.i = load double, ptr %.1612.i, align 8, !noalias !84
+  %.6257.i.i = load double, ptr %.5616.i.i, align 8, !noalias !84
   %.6258.i.i = fadd contract double %.6228.i.i, %.6257.i.i
-  %.6287.i.i = load double, ptr %.5646.i.i, align 8, !noalias !83
-  %.6316.i.i = load double, ptr %.5675.i.i, align 8, !noalias !83
+  %.6287.i.i = load double, ptr %.5646.i.i, align 8, !noalias !84
+  %.6316.i.i = load double, ptr %.5675.i.i, align 8, !noalias !84
   %.6317.i.i = fadd contract double %.6287.i.i, %.6316.i.i
   %.6318.i.i = fadd contract double %.6258.i.i, %.6317.i.i
-  %.6347.i.i = load double, ptr %.5706.i.i, align 8, !noalias !83
-  %.6376.i.i = load double, ptr %.5735.i.i, align 8, !noalias !83
+  %.6347.i.i = load double, ptr %.5706.i.i, align 8, !noalias !84
+  %.6376.i.i = load double, ptr %.5735.i.i, align 8, !noalias !84
   %.6377.i.i = fadd contract double %.6347.i.i, %.6376.i.i
-  %.6406.i.i = load double, ptr %.5765.i.i, align 8, !noalias !83
-  %.6435.i.i = load double, ptr %.5794.i.i, align 8, !noalias !83
+  %.6406.i.i = load double, ptr %.5765.i.i, align 8, !noalias !84
+  %.6435.i.i = load double, ptr %.5794.i.i, align 8, !noalias !84
   %.6439.i.i = fadd contract double %.6406.i.i, %.6435.i.i
   %.6440.i.i = fadd contract double %.6377.i.i, %.6439.i.i
   %.6441.i.i = fadd contract double %.6318.i.i, %.6440.i.i
   %.6442.i.i = fadd contract double %.6182.i.i, %.6441.i.i
   br label %B1362.i
 
-B1362.i:                                          ; preds = %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v406B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
-  %.6442.i.i.sink = phi double [ %.6442.i.i, %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.3579.i.i, %_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v406B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  %by_time.2.0.lcssa.i50.i.sink = phi <8 x double> [ %by_time.2.0.lcssa.i50.i, %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %by_time.2.0.lcssa.i.i, %_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v406B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
-  store double %.6442.i.i.sink, ptr %.6181.i.i, align 8, !noalias !50
-  %.6502.i.i = load double, ptr %.6501.i.i, align 8, !noalias !50
-  store <8 x double> %by_time.2.0.lcssa.i50.i.sink, ptr %.1612.i, align 8, !noalias !50
-  %.6553.i.i = load double, ptr %.1612.i, align 8, !noalias !50
-  %.6582.i.i = load double, ptr %.5616.i.i, align 8, !noalias !50
+B1362.i:                                          ; preds = %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v464B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, %_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v419B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+  %.6442.i.i.sink = phi double [ %.6442.i.i, %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v464B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %.3579.i.i, %_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v419B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  %by_time.2.0.lcssa.i50.i.sink = phi <8 x double> [ %by_time.2.0.lcssa.i50.i, %_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v464B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ], [ %by_time.2.0.lcssa.i.i, %_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v419B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i ]
+  store double %.6442.i.i.sink, ptr %.6181.i.i, align 8, !noalias !51
+  %.6502.i.i = load double, ptr %.6501.i.i, align 8, !noalias !51
+  store <8 x double> %by_time.2.0.lcssa.i50.i.sink, ptr %.1612.i, align 8, !noalias !51
+  %.6553.i.i = load double, ptr %.1612.i, align 8, !noalias !51
+  %.6582.i.i = load double, ptr %.5616.i.i, align 8, !noalias !51
   %.6583.i.i = fadd contract double %.6553.i.i, %.6582.i.i
-  %.6612.i.i = load double, ptr %.5646.i.i, align 8, !noalias !50
-  %.6641.i.i = load double, ptr %.5675.i.i, align 8, !noalias !50
+  %.6612.i.i = load double, ptr %.5646.i.i, align 8, !noalias !51
+  %.6641.i.i = load double, ptr %.5675.i.i, align 8, !noalias !51
   %.6642.i.i = fadd contract double %.6612.i.i, %.6641.i.i
   %.6643.i.i = fadd contract double %.6583.i.i, %.6642.i.i
-  %.6672.i.i = load double, ptr %.5706.i.i, align 8, !noalias !50
-  %.6701.i.i = load double, ptr %.5735.i.i, align 8, !noalias !50
+  %.6672.i.i = load double, ptr %.5706.i.i, align 8, !noalias !51
+  %.6701.i.i = load double, ptr %.5735.i.i, align 8, !noalias !51
   %.6702.i.i = fadd contract double %.6672.i.i, %.6701.i.i
-  %.6731.i.i = load double, ptr %.5765.i.i, align 8, !noalias !50
-  %.6760.i.i = load double, ptr %.5794.i.i, align 8, !noalias !50
+  %.6731.i.i = load double, ptr %.5765.i.i, align 8, !noalias !51
+  %.6760.i.i = load double, ptr %.5794.i.i, align 8, !noalias !51
   %.6764.i.i = fadd contract double %.6731.i.i, %.6760.i.i
   %.6765.i.i = fadd contract double %.6702.i.i, %.6764.i.i
   %.6766.i.i = fadd contract double %.6643.i.i, %.6765.i.i
   %.6767.i.i = fadd contract double %.6502.i.i, %.6766.i.i
-  store double %.6767.i.i, ptr %.6501.i.i, align 8, !noalias !50
-  %lsr.iv.next.i243 = add i64 %lsr.iv.i196, 27648
-  %exitcond1005.not.i = icmp eq i64 %.1202.i197, %.104.i
+  store double %.6767.i.i, ptr %.6501.i.i, align 8, !noalias !51
+  %lsr.iv.next.i241 = add i64 %lsr.iv.i196, 27648
+  %exitcond1005.not.i = icmp eq i64 %.1202.i, %.104.i
   br i1 %exitcond1005.not.i, label %B1406.i, label %B950.if.i
 
 B1406.i:                                          ; preds = %B1362.i, %B420.i
-  %.1756.i144 = icmp sgt i64 %.134.i, 0
-  br i1 %.1756.i144, label %B1407.i, label %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+  %.1756.i = icmp sgt i64 %.134.i, 0
+  br i1 %.1756.i, label %B1407.i, label %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v146B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B1407.i:                                          ; preds = %B1406.i
-  call void @llvm.lifetime.start.p0(ptr nonnull %.880.i.i133), !noalias !50
-  store double 0.000000e+00, ptr %.880.i.i133, align 8, !noalias !86
-  %.69.i.i = load i64, ptr %.133.i134, align 8, !noalias !86
-  %.241.i.i145 = shl nsw i64 %.69.i.i, 3
-  %.271.i.i146 = load i64, ptr %arg.arguments.4, align 8, !noalias !86
-  %.272.i.i147 = mul nsw i64 %.271.i.i146, %.604928988
-  %.273.i.i148 = add nsw i64 %.272.i.i147, %.1212877881
-  %.274.i.i149 = mul nsw i64 %.273.i.i148, %.241.i.i145
-  %.308.i.i = load i64, ptr %.307.i.i, align 8, !noalias !86
-  %.312.i.i150 = inttoptr i64 %.308.i.i to ptr
-  %invariant.gep.i.i = getelementptr double, ptr %.312.i.i150, i64 %.1020890909
+  call void @llvm.lifetime.start.p0(ptr nonnull %.880.i.i128), !noalias !51
+  store double 0.000000e+00, ptr %.880.i.i128, align 8, !noalias !87
+  %.69.i.i = load i64, ptr %.133.i129, align 8, !noalias !87
+  %.241.i.i138 = shl nsw i64 %.69.i.i, 3
+  %.271.i.i139 = load i64, ptr %arg.arguments.4, align 8, !noalias !87
+  %.272.i.i140 = mul nsw i64 %.271.i.i139, %.604928988
+  %.273.i.i141 = add nsw i64 %.272.i.i140, %.1212877881
+  %.274.i.i142 = mul nsw i64 %.273.i.i141, %.241.i.i138
+  %.308.i.i = load i64, ptr %.307.i.i, align 8, !noalias !87
+  %.312.i.i143 = inttoptr i64 %.308.i.i to ptr
+  %invariant.gep.i.i = getelementptr double, ptr %.312.i.i143, i64 %.1020890909
   %.741503.not.i.i = icmp slt i64 %.69.i.i, 1
-  br i1 %.741503.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v533B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B482.if.preheader.i.i
+  br i1 %.741503.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B482.if.preheader.i.i
 
 B482.if.preheader.i.i:                            ; preds = %B1407.i
-  %.514.i.i = load i64, ptr %51, align 8, !noalias !86
-  %.516.i.i = add nsw i64 %.514.i.i, %.274.i.i149
-  %.100.i.i = load i64, ptr %.143, align 8, !noalias !86
+  %.514.i.i = load i64, ptr %51, align 8, !noalias !87
+  %.516.i.i = add nsw i64 %.514.i.i, %.274.i.i142
+  %.100.i.i = load i64, ptr %.143, align 8, !noalias !87
   %.101.i.i = sub i64 0, %.100.i.i
-  %307 = lshr i64 %.101.i.i, 3
-  %308 = mul i64 %307, -64
-  %309 = inttoptr i64 %.516.i.i to ptr
+  %285 = lshr i64 %.101.i.i, 3
+  %286 = mul i64 %285, -64
+  %287 = inttoptr i64 %.516.i.i to ptr
   br label %B482.if.i.i
 
 B594.i.i:                                         ; preds = %B482.if.i.i
-  %.514.1.i.i = load i64, ptr %52, align 8, !noalias !86
-  %.516.1.i.i = add nsw i64 %.514.1.i.i, %.274.i.i149
-  %310 = inttoptr i64 %.516.1.i.i to ptr
+  %.514.1.i.i = load i64, ptr %52, align 8, !noalias !87
+  %.516.1.i.i = add nsw i64 %.514.1.i.i, %.274.i.i142
+  %288 = inttoptr i64 %.516.1.i.i to ptr
   br label %B482.if.1.i.i
 
 B482.if.1.i.i:                                    ; preds = %B482.if.1.i.i, %B594.i.i
   %lsr.iv.i52.i = phi ptr [ %invariant.gep.i.i, %B594.i.i ], [ %scevgep.i53.i, %B482.if.1.i.i ]
   %.747501504.1.i.i = phi i64 [ 0, %B594.i.i ], [ %.754.1.i.i, %B482.if.1.i.i ]
-  %311 = shl i64 %.747501504.1.i.i, 3
-  %scevgep88.i.i = getelementptr i8, ptr %310, i64 %311
-  %.808.1.i.i = load double, ptr %scevgep88.i.i, align 8, !noalias !86
-  store double 0.000000e+00, ptr %.880.i.i133, align 8, !noalias !86
-  call fastcc void @inner_3(ptr nonnull %.880.i.i133, ptr %.592.1.i.i, ptr %lsr.iv.i52.i, i64 range(i64 -9223372036854775808, 129) %.13.i, i64 range(i64 -9223372036854775808, 129) %.13.i, ptr nonnull %.169.i.i)
+  %289 = shl i64 %.747501504.1.i.i, 3
+  %scevgep88.i.i = getelementptr i8, ptr %288, i64 %289
+  %.808.1.i.i = load double, ptr %scevgep88.i.i, align 8, !noalias !87
+  store double 0.000000e+00, ptr %.880.i.i128, align 8, !noalias !87
+  call fastcc void @inner_3(ptr nonnull %.880.i.i128, ptr %.592.1.i.i, ptr %lsr.iv.i52.i, i64 range(i64 -9223372036854775808, 129) %.13.i, i64 range(i64 -9223372036854775808, 129) %.13.i, ptr nonnull %.169.i.i137)
   %.754.1.i.i = add nuw nsw i64 %.747501504.1.i.i, 1
-  %.900.1.i.i = load double, ptr %.880.i.i133, align 8, !noalias !86
+  %.900.1.i.i = load double, ptr %.880.i.i128, align 8, !noalias !87
   %.913.1.i.i = fadd contract double %.808.1.i.i, %.900.1.i.i
-  store double %.913.1.i.i, ptr %scevgep88.i.i, align 8, !noalias !86
-  %scevgep.i53.i = getelementptr i8, ptr %lsr.iv.i52.i, i64 %308
+  store double %.913.1.i.i, ptr %scevgep88.i.i, align 8, !noalias !87
+  %scevgep.i53.i = getelementptr i8, ptr %lsr.iv.i52.i, i64 %286
   %exitcond.not.1.i.i = icmp eq i64 %.69.i.i, %.754.1.i.i
-  br i1 %exitcond.not.1.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v533B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B482.if.1.i.i
+  br i1 %exitcond.not.1.i.i, label %_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B482.if.1.i.i
 
 B482.if.i.i:                                      ; preds = %B482.if.i.i, %B482.if.preheader.i.i
   %lsr.iv89.i.i = phi ptr [ %invariant.gep.i.i, %B482.if.preheader.i.i ], [ %scevgep90.i.i, %B482.if.i.i ]
-  %.747501504.i.i = phi i64 [ 0, %B482.if.preheader.i.i ], [ %.754.i.i152, %B482.if.i.i ]
-  %312 = shl i64 %.747501504.i.i, 3
-  %scevgep91.i.i = getelementptr i8, ptr %309, i64 %312
-  %.808.i.i151 = load double, ptr %scevgep91.i.i, align 8, !noalias !86
-  store double 0.000000e+00, ptr %.880.i.i133, align 8, !noalias !86
-  call fastcc void @inner_3(ptr nonnull %.880.i.i133, ptr %.592.i.i, ptr %lsr.iv89.i.i, i64 range(i64 -9223372036854775808, 129) %.13.i, i64 range(i64 -9223372036854775808, 129) %.13.i, ptr nonnull %.169.i.i)
-  %.754.i.i152 = add nuw nsw i64 %.747501504.i.i, 1
-  %.900.i.i = load double, ptr %.880.i.i133, align 8, !noalias !86
-  %.913.i.i153 = fadd contract double %.808.i.i151, %.900.i.i
-  store double %.913.i.i153, ptr %scevgep91.i.i, align 8, !noalias !86
-  %scevgep90.i.i = getelementptr i8, ptr %lsr.iv89.i.i, i64 %308
-  %exitcond.not.i51.i = icmp eq i64 %.69.i.i, %.754.i.i152
+  %.747501504.i.i = phi i64 [ 0, %B482.if.preheader.i.i ], [ %.754.i.i145, %B482.if.i.i ]
+  %290 = shl i64 %.747501504.i.i, 3
+  %scevgep91.i.i = getelementptr i8, ptr %287, i64 %290
+  %.808.i.i144 = load double, ptr %scevgep91.i.i, align 8, !noalias !87
+  store double 0.000000e+00, ptr %.880.i.i128, align 8, !noalias !87
+  call fastcc void @inner_3(ptr nonnull %.880.i.i128, ptr %.592.i.i, ptr %lsr.iv89.i.i, i64 range(i64 -9223372036854775808, 129) %.13.i, i64 range(i64 -9223372036854775808, 129) %.13.i, ptr nonnull %.169.i.i137)
+  %.754.i.i145 = add nuw nsw i64 %.747501504.i.i, 1
+  %.900.i.i = load double, ptr %.880.i.i128, align 8, !noalias !87
+  %.913.i.i146 = fadd contract double %.808.i.i144, %.900.i.i
+  store double %.913.i.i146, ptr %scevgep91.i.i, align 8, !noalias !87
+  %scevgep90.i.i = getelementptr i8, ptr %lsr.iv89.i.i, i64 %286
+  %exitcond.not.i51.i = icmp eq i64 %.69.i.i, %.754.i.i145
   br i1 %exitcond.not.i51.i, label %B594.i.i, label %B482.if.i.i
 
-_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v533B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B482.if.1.i.i, %B1407.i
-  call void @llvm.lifetime.end.p0(ptr nonnull %.880.i.i133), !noalias !50
-  br label %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
+_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B482.if.1.i.i, %B1407.i
+  call void @llvm.lifetime.end.p0(ptr nonnull %.880.i.i128), !noalias !51
+  br label %_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v146B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit
 
 B452.if.i:                                        ; preds = %B918.i, %B452.if.lr.ph.i
   %lsr.iv193.i = phi i64 [ 21504, %B452.if.lr.ph.i ], [ %lsr.iv.next194.i, %B918.i ]
   %.634940948.i = phi i64 [ 0, %B452.if.lr.ph.i ], [ %.641.i, %B918.i ]
   %.641.i = add nuw nsw i64 %.634940948.i, 1
   %.idx902.i = mul i64 %.634940948.i, 27648
-  %313 = getelementptr i8, ptr %.432, i64 %.idx902.i
-  %.688.i = getelementptr i8, ptr %313, i64 14336
+  %291 = getelementptr i8, ptr %.432, i64 %.idx902.i
+  %.688.i = getelementptr i8, ptr %291, i64 14336
   br i1 %"$phi420.0.2.0.i", label %B492.i, label %B540.i
 
 B950.if.i:                                        ; preds = %B1362.i, %B950.if.lr.ph.i
-  %lsr.iv.i196 = phi i64 [ 21504, %B950.if.lr.ph.i ], [ %lsr.iv.next.i243, %B1362.i ]
-  %.1195959968.i = phi i64 [ 0, %B950.if.lr.ph.i ], [ %.1202.i197, %B1362.i ]
-  %.1202.i197 = add nuw nsw i64 %.1195959968.i, 1
-  %.idx.i198 = mul i64 %.1195959968.i, 27648
-  %314 = getelementptr i8, ptr %.432, i64 %.idx.i198
-  %.1249.i = getelementptr i8, ptr %314, i64 14336
-  %.1348.i = load double, ptr %lsr.iv248, align 8, !noalias !50
+  %lsr.iv.i196 = phi i64 [ 21504, %B950.if.lr.ph.i ], [ %lsr.iv.next.i241, %B1362.i ]
+  %.1195959968.i = phi i64 [ 0, %B950.if.lr.ph.i ], [ %.1202.i, %B1362.i ]
+  %.1202.i = add nuw nsw i64 %.1195959968.i, 1
+  %.idx.i197 = mul i64 %.1195959968.i, 27648
+  %292 = getelementptr i8, ptr %.432, i64 %.idx.i197
+  %.1249.i = getelementptr i8, ptr %292, i64 14336
+  %.1348.i = load double, ptr %lsr.iv248, align 8, !noalias !51
   %.1350.i = fadd contract double %.750, %.1348.i
-  %.79.i.i = load i64, ptr %.76, align 8, !noalias !89
-  %.109.i.i = load i64, ptr %.143, align 8, !noalias !89
-  %.139.i.i = load i64, ptr %.138.i.i, align 8, !noalias !89
-  %.224.i.i = load i64, ptr %.171.i, align 8, !noalias !89
-  %.377.i.i199 = load i64, ptr %.376.i.i188, align 8, !noalias !89
-  %.455747.i.i = load double, ptr %.454.i.i189, align 8, !noalias !89
-  %.501.i.i = load i64, ptr %.500.i.i190, align 8, !noalias !89
-  %.558.i.i200 = load i64, ptr %.557.i.i, align 8, !noalias !89
+  %.79.i.i = load i64, ptr %.76, align 8, !noalias !90
+  %.109.i.i = load i64, ptr %.143, align 8, !noalias !90
+  %.139.i.i = load i64, ptr %.138.i.i, align 8, !noalias !90
+  %.224.i.i = load i64, ptr %.171.i, align 8, !noalias !90
+  %.377.i.i198 = load i64, ptr %.376.i.i189, align 8, !noalias !90
+  %.455747.i.i = load double, ptr %.454.i.i190, align 8, !noalias !90
+  %.501.i.i = load i64, ptr %.500.i.i191, align 8, !noalias !90
+  %.558.i.i199 = load i64, ptr %.557.i.i, align 8, !noalias !90
   br i1 %.93.inv.i.i, label %B604.loopexit.3.i.i, label %B652.if.lr.ph.i.i
 
 B604.loopexit.3.i.i:                              ; preds = %B652.if.lr.ph.i.i, %B950.if.i
@@ -4098,46 +4127,46 @@ B604.loopexit.3.i.i:                              ; preds = %B652.if.lr.ph.i.i, 
   %.226.i.i = inttoptr i64 %.224.i.i to ptr
   %.290.i54.i = getelementptr inbounds double, ptr %.226.i.i, i64 %.1020890909
   %.566.i.i = shl nsw i64 %.189.i.i, 1
-  %.1000.i55.i = load i64, ptr %.999.i.i191, align 8, !noalias !89
+  %.1000.i55.i = load i64, ptr %.999.i.i, align 8, !noalias !90
   %.1080809.not.i.i = icmp slt i64 %.1000.i55.i, 1
-  br i1 %.1080809.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v305B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B810.if.lr.ph.i.i
+  br i1 %.1080809.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v318B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B810.if.lr.ph.i.i
 
 B810.if.lr.ph.i.i:                                ; preds = %B604.loopexit.3.i.i
   %.560.i.i = shl nsw i64 %.189.i.i, 4
-  %.562.i.i201 = mul nsw i64 %.560.i.i, %.139.i.i
-  %.502.i.i202 = icmp eq i64 %.501.i.i, 1
+  %.562.i.i200 = mul nsw i64 %.560.i.i, %.139.i.i
+  %.502.i.i201 = icmp eq i64 %.501.i.i, 1
   %.515.i.i = mul nsw i64 %.79.i.i, %.1212877881
   %.521.i.i = add nsw i64 %.515.i.i, %.1195959968.i
-  %"$phi424.0.2.0.i.i" = select i1 %.502.i.i202, i64 %.1212877881, i64 %.521.i.i
-  %.563.i.i203 = mul nsw i64 %.562.i.i201, %"$phi424.0.2.0.i.i"
-  %.564.i.i = add nsw i64 %.563.i.i203, %.558.i.i200
-  %315 = inttoptr i64 %.564.i.i to ptr
+  %"$phi424.0.2.0.i.i" = select i1 %.502.i.i201, i64 %.1212877881, i64 %.521.i.i
+  %.563.i.i202 = mul nsw i64 %.562.i.i200, %"$phi424.0.2.0.i.i"
+  %.564.i.i = add nsw i64 %.563.i.i202, %.558.i.i199
+  %293 = inttoptr i64 %.564.i.i to ptr
   %.1583.i.i = add nsw i64 %.139.i.i, -4
-  %.1178.i.i = getelementptr inbounds double, ptr %315, i64 %.1020890909
+  %.1178.i.i = getelementptr inbounds double, ptr %293, i64 %.1020890909
   %.1232.i56.i = sub i64 %.1020890909, %.155.1.i.i
-  %.1244.i.i = getelementptr inbounds double, ptr %315, i64 %.1232.i56.i
-  %invariant.gep.i.i.i = getelementptr double, ptr %315, i64 %.566.i.i
+  %.1244.i.i = getelementptr inbounds double, ptr %293, i64 %.1232.i56.i
+  %invariant.gep.i.i.i = getelementptr double, ptr %293, i64 %.566.i.i
   %invariant.gep1621.idx.i.i.i = mul i64 %.155.1.i.i, -48
-  %invariant.gep1621.i.i.i = getelementptr i8, ptr %315, i64 %invariant.gep1621.idx.i.i.i
+  %invariant.gep1621.i.i.i = getelementptr i8, ptr %293, i64 %invariant.gep1621.idx.i.i.i
   %invariant.gep1623.idx.i.i.i = shl i64 %.189.i.i, 5
-  %invariant.gep1623.i.i.i = getelementptr i8, ptr %315, i64 %invariant.gep1623.idx.i.i.i
+  %invariant.gep1623.i.i.i = getelementptr i8, ptr %293, i64 %invariant.gep1623.idx.i.i.i
   %invariant.gep1625.idx.i.i.i = mul i64 %.155.1.i.i, -80
-  %invariant.gep1625.i.i.i = getelementptr i8, ptr %315, i64 %invariant.gep1625.idx.i.i.i
+  %invariant.gep1625.i.i.i = getelementptr i8, ptr %293, i64 %invariant.gep1625.idx.i.i.i
   %invariant.gep1627.idx.i.i.i = shl i64 %.189.i.i, 6
-  %invariant.gep1627.i.i.i = getelementptr i8, ptr %315, i64 %invariant.gep1627.idx.i.i.i
-  %316 = icmp eq i64 %.139.i.i, 1
-  %317 = inttoptr i64 %.377.i.i199 to ptr
-  %sunkaddr16.i60.i = getelementptr i8, ptr %317, i64 8
+  %invariant.gep1627.i.i.i = getelementptr i8, ptr %293, i64 %invariant.gep1627.idx.i.i.i
+  %294 = icmp eq i64 %.139.i.i, 1
+  %295 = inttoptr i64 %.377.i.i198 to ptr
+  %sunkaddr16.i60.i = getelementptr i8, ptr %295, i64 8
   br label %B810.if.i.i
 
-B884.i.i:                                         ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i
+B884.i.i:                                         ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i
   br i1 %.93.inv.i.i, label %B1112.i.i, label %B382.lr.ph.i.i.i
 
-B992.i.i:                                         ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.thread.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i
-  %.11575.i.i = phi double [ %.11574.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.thread.i.i ], [ %.1157.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i ]
-  %.48.i.i.i = load double, ptr %317, align 8, !noalias !92
+B992.i.i:                                         ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.thread.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i
+  %.11575.i.i = phi double [ %.11574.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.thread.i.i ], [ %.1157.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i ]
+  %.48.i.i.i = load double, ptr %295, align 8, !noalias !93
   %.49.i.i.i = fsub contract double %.11575.i.i, %.48.i.i.i
-  %.78.i.i.i = load double, ptr %sunkaddr16.i60.i, align 8, !noalias !92
+  %.78.i.i.i = load double, ptr %sunkaddr16.i60.i, align 8, !noalias !93
   %.85.i.i.i = fdiv contract double %.49.i.i.i, %.78.i.i.i
   %.93.le.i.i.i = tail call contract double @llvm.floor.f64(double %.85.i.i.i)
   %.5.i.i.i.i = fptosi double %.93.le.i.i.i to i64
@@ -4192,37 +4221,37 @@ B992.i.i:                                         ; preds = %_ZN17bnserve_infere
   %.265.i.i.i = add nsw i64 %.13.i1.i.i.i, -2
   %.266.i.i.i = mul nsw i64 %.265.i.i.i, %.566.i.i
   %.267.i.i.i = add nsw i64 %.266.i.i.i, %.1020890909
-  %.1647.i.i207 = fmul contract double %.78.i.i.i, 2.400000e+01
-  %.1651.i.i208 = fdiv contract double 1.000000e+00, %.1647.i.i207
-  %.1652.i.i209 = fmul contract double %.182.i.i.i, 2.400000e+01
+  %.1647.i.i205 = fmul contract double %.78.i.i.i, 2.400000e+01
+  %.1651.i.i206 = fdiv contract double 1.000000e+00, %.1647.i.i205
+  %.1652.i.i207 = fmul contract double %.182.i.i.i, 2.400000e+01
   %.1656.i.i = fsub contract double 2.400000e+01, %.208.i.i.i
   %.1657.i72.i = fmul contract double %.245.i.i.i, %.1656.i.i
-  %318 = fsub contract double %.1657.i72.i, %.1652.i.i209
+  %296 = fsub contract double %.1657.i72.i, %.1652.i.i207
   %.1659.i.i = fmul contract double %.183.i.i.i, 2.400000e+01
   %.1663.i.i = fsub contract double 2.400000e+01, %.220.i.i.i
   %.1664.i73.i = fmul contract double %.185.i.i.i, %.1663.i.i
-  %319 = fsub contract double %.1664.i73.i, %.1659.i.i
+  %297 = fsub contract double %.1664.i73.i, %.1659.i.i
   %.1667.i.i = fadd contract double %.192.i.i.i, -1.600000e+01
   %.1668.i.i = fmul contract double %.182.i.i.i, %.1667.i.i
-  %.1669.i.i210 = fadd contract double %.1668.i.i, 1.200000e+01
-  %.1670.i.i211 = fmul contract double %.182.i.i.i, %.1669.i.i210
-  %.1671.i.i = fadd contract double %.1670.i.i211, 8.000000e+00
+  %.1669.i.i208 = fadd contract double %.1668.i.i, 1.200000e+01
+  %.1670.i.i209 = fmul contract double %.182.i.i.i, %.1669.i.i208
+  %.1671.i.i = fadd contract double %.1670.i.i209, 8.000000e+00
   %.1672.i.i = fmul contract double %.182.i.i.i, %.1671.i.i
   %.1673.i.i = fadd contract double %.1672.i.i, -1.000000e+01
-  %.1675.i.i212 = fadd contract double %.230.i.i.i, -1.600000e+01
-  %.1676.i.i = fmul contract double %.183.i.i.i, %.1675.i.i212
+  %.1675.i.i210 = fadd contract double %.230.i.i.i, -1.600000e+01
+  %.1676.i.i = fmul contract double %.183.i.i.i, %.1675.i.i210
   %.1677.i.i = fadd contract double %.1676.i.i, 1.200000e+01
   %.1678.i.i = fmul contract double %.183.i.i.i, %.1677.i.i
   %.1679.i.i = fadd contract double %.1678.i.i, 8.000000e+00
   %.1680.i.i = fmul contract double %.183.i.i.i, %.1679.i.i
   %.1681.i.i = fadd contract double %.1680.i.i, -1.000000e+01
-  %.1687.i.i213 = fmul contract double %.1651.i.i208, %.1673.i.i
-  %.1688.i.i214 = fmul contract double %.1651.i.i208, %318
-  %.1689.i.i = fneg contract double %319
-  %.1690.i.i215 = fmul contract double %.1651.i.i208, %.1689.i.i
-  %.1691.i.i216 = fneg contract double %.1681.i.i
-  %.1692.i.i217 = fmul contract double %.1651.i.i208, %.1691.i.i216
-  %.1696.i.i = fmul contract double %.1651.i.i208, %.246.i.i.i
+  %.1687.i.i211 = fmul contract double %.1651.i.i206, %.1673.i.i
+  %.1688.i.i212 = fmul contract double %.1651.i.i206, %296
+  %.1689.i.i = fneg contract double %297
+  %.1690.i.i213 = fmul contract double %.1651.i.i206, %.1689.i.i
+  %.1691.i.i214 = fneg contract double %.1681.i.i
+  %.1692.i.i215 = fmul contract double %.1651.i.i206, %.1691.i.i214
+  %.1696.i.i = fmul contract double %.1651.i.i206, %.246.i.i.i
   %.1458.i.i.i = sub i64 %.267.i.i.i, %.155.1.i.i
   %.1519.i.i.i = insertelement <8 x double> poison, double %.205.i.i.i, i64 0
   %.1520.i.i.i = shufflevector <8 x double> %.1519.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
@@ -4234,44 +4263,44 @@ B992.i.i:                                         ; preds = %_ZN17bnserve_infere
   %.1586.i.i.i = shufflevector <8 x double> %.1585.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1588.i.i.i = insertelement <8 x double> poison, double %.251.i.i.i, i64 0
   %.1589.i.i.i = shufflevector <8 x double> %.1588.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1874.i.i.i = insertelement <8 x double> poison, double %.1687.i.i213, i64 0
+  %.1874.i.i.i = insertelement <8 x double> poison, double %.1687.i.i211, i64 0
   %.1875.i.i.i = shufflevector <8 x double> %.1874.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1901.i.i.i = insertelement <8 x double> poison, double %.1688.i.i214, i64 0
+  %.1901.i.i.i = insertelement <8 x double> poison, double %.1688.i.i212, i64 0
   %.1902.i.i.i = shufflevector <8 x double> %.1901.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1904.i.i.i = insertelement <8 x double> poison, double %.1690.i.i215, i64 0
+  %.1904.i.i.i = insertelement <8 x double> poison, double %.1690.i.i213, i64 0
   %.1905.i.i.i = shufflevector <8 x double> %.1904.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.1940.i.i.i = insertelement <8 x double> poison, double %.1692.i.i217, i64 0
+  %.1940.i.i.i = insertelement <8 x double> poison, double %.1692.i.i215, i64 0
   %.1941.i.i.i = shufflevector <8 x double> %.1940.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.1943.i.i.i = insertelement <8 x double> poison, double %.1696.i.i, i64 0
   %.1944.i.i.i = shufflevector <8 x double> %.1943.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   br i1 %.93.inv.i.i, label %B1112.i.i, label %B394.lr.ph.i.i.i
 
-B1112.i.i:                                        ; preds = %B394.i.i.i, %B382.i.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.thread.i.i, %B992.i.i, %B884.i.i
+B1112.i.i:                                        ; preds = %B394.i.i.i, %B382.i.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.thread.i.i, %B992.i.i, %B884.i.i
   %exitcond838.not.i.i = icmp eq i64 %.1093.i61.i, %.1000.i55.i
-  br i1 %exitcond838.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v305B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B810.if.i.i
+  br i1 %exitcond838.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v318B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B810.if.i.i
 
 B652.if.lr.ph.i.i:                                ; preds = %B950.if.i
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.882.i.i, i8 0, i64 %265, i1 false), !noalias !89
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.882.1.i.i, i8 0, i64 %265, i1 false), !noalias !89
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.882.2.i.i, i8 0, i64 %265, i1 false), !noalias !89
-  tail call void @llvm.memset.p0.i64(ptr align 8 %.882.3.i.i, i8 0, i64 %265, i1 false), !noalias !89
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.882.i.i, i8 0, i64 %243, i1 false), !noalias !90
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.882.1.i.i, i8 0, i64 %243, i1 false), !noalias !90
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.882.2.i.i, i8 0, i64 %243, i1 false), !noalias !90
+  tail call void @llvm.memset.p0.i64(ptr align 8 %.882.3.i.i, i8 0, i64 %243, i1 false), !noalias !90
   br label %B604.loopexit.3.i.i
 
 B810.if.i.i:                                      ; preds = %B1112.i.i, %B810.if.lr.ph.i.i
   %.1086800810.i.i = phi i64 [ 0, %B810.if.lr.ph.i.i ], [ %.1093.i61.i, %B1112.i.i ]
   %.1093.i61.i = add nuw nsw i64 %.1086800810.i.i, 1
-  call void @llvm.lifetime.start.p0(ptr nonnull %.509.i.i.i), !noalias !89
-  store ptr null, ptr %.509.i.i.i, align 8, !noalias !95
-  %.260.i.i.i = load i64, ptr %.76, align 8, !noalias !95
-  %.359.i.i.i = load i64, ptr %sunkaddr18.i57.i, align 8, !noalias !95
+  call void @llvm.lifetime.start.p0(ptr nonnull %.509.i.i.i), !noalias !90
+  store ptr null, ptr %.509.i.i.i, align 8, !noalias !96
+  %.260.i.i.i = load i64, ptr %.76, align 8, !noalias !96
+  %.359.i.i.i = load i64, ptr %sunkaddr18.i57.i, align 8, !noalias !96
   %.360.i.i.i = icmp eq i64 %.359.i.i.i, 1
   br i1 %.360.i.i.i, label %B266.i.i.i, label %B450.i.i.i
 
 B266.i.i.i:                                       ; preds = %B810.if.i.i
-  %.290.i.i.i = load i64, ptr %.143, align 8, !noalias !95
+  %.290.i.i.i = load i64, ptr %.143, align 8, !noalias !96
   %.368.i.i.i = sub nsw i64 %.290.i.i.i, %.1020890909
   %.13.i.i49.i.i = tail call i64 @llvm.smin.i64(i64 %.368.i.i.i, i64 range(i64 -9223372036854775808, 129) %.13.i)
-  %.430.i.i.i = load i64, ptr %sunkaddr22.i58.i, align 8, !noalias !95
+  %.430.i.i.i = load i64, ptr %sunkaddr22.i58.i, align 8, !noalias !96
   %.438.i.i.i = mul nsw i64 %.260.i.i.i, %.604928988
   %.444.i.i.i = add nsw i64 %.438.i.i.i, %.1195959968.i
   %.448.i.i.i = mul nsw i64 %.290.i.i.i, %.444.i.i.i
@@ -4280,56 +4309,56 @@ B266.i.i.i:                                       ; preds = %B810.if.i.i
   %.456.i.i.i = add nsw i64 %.455.i.i.i, %.430.i.i.i
   %.457.i.i.i = shl nsw i64 %.13.i.i49.i.i, 1
   %.458.i.i.i = inttoptr i64 %.456.i.i.i to ptr
-  store ptr null, ptr %.509.i.i.i, align 8, !noalias !95
+  store ptr null, ptr %.509.i.i.i, align 8, !noalias !96
   call fastcc void @inner_1(ptr nonnull %.509.i.i.i, i64 %.13.i.i49.i.i, ptr %.458.i.i.i, i64 %.457.i.i.i, ptr nonnull %.1612.i, ptr nonnull %.150.i.i.i)
-  br label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i
+  br label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i
 
 B450.i.i.i:                                       ; preds = %B810.if.i.i
-  %.320.i.i.i = load i64, ptr %.999.i.i191, align 8, !noalias !95
-  %.588.i.i.i = load i64, ptr %sunkaddr22.i58.i, align 8, !noalias !95
+  %.320.i.i.i = load i64, ptr %.999.i.i, align 8, !noalias !96
+  %.588.i.i.i = load i64, ptr %sunkaddr22.i58.i, align 8, !noalias !96
   %.596.i.i.i = mul nsw i64 %.260.i.i.i, %.604928988
   %.602.i.i.i = add nsw i64 %.596.i.i.i, %.1195959968.i
   %.606.i.i.i = mul nsw i64 %.320.i.i.i, %.602.i.i.i
   %.610.i.i.i = add nsw i64 %.606.i.i.i, %.1086800810.i.i
   %.613.i.i.i = shl nsw i64 %.610.i.i.i, 4
-  br i1 %.93.inv.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.thread.i.i, label %B594.if.lr.ph.i.i.i
+  br i1 %.93.inv.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.thread.i.i, label %B594.if.lr.ph.i.i.i
 
 common.ret.sink.split.loopexit.unr-lcssa.i.i.i:   ; preds = %B594.if.i.i.i
-  br i1 %269, label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i, label %B594.if.epil.preheader.i.i.i
+  br i1 %247, label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i, label %B594.if.epil.preheader.i.i.i
 
 B594.if.epil.preheader.i.i.i:                     ; preds = %B594.if.lr.ph.i.i.i, %common.ret.sink.split.loopexit.unr-lcssa.i.i.i
   %.757421423.epil.init.i.i.i = phi i64 [ 0, %B594.if.lr.ph.i.i.i ], [ %.764.1.i.i.i, %common.ret.sink.split.loopexit.unr-lcssa.i.i.i ]
   %sunkaddr.i.i.i = inttoptr i64 %.613.i.i.i to ptr
   %sunkaddr59.i.i.i = getelementptr i8, ptr %sunkaddr.i.i.i, i64 %.588.i.i.i
-  %.818.epil.i.i.i = load double, ptr %sunkaddr59.i.i.i, align 8, !noalias !95
+  %.818.epil.i.i.i = load double, ptr %sunkaddr59.i.i.i, align 8, !noalias !96
   %.819.epil.i.i.i = insertelement <8 x double> poison, double %.818.epil.i.i.i, i64 0
   %.820.epil.i.i.i = shufflevector <8 x double> %.819.epil.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.828.epil.i.i.i = getelementptr inbounds double, ptr %.1612.i, i64 %.757421423.epil.init.i.i.i
-  store <8 x double> %.820.epil.i.i.i, ptr %.828.epil.i.i.i, align 8, !noalias !95
+  store <8 x double> %.820.epil.i.i.i, ptr %.828.epil.i.i.i, align 8, !noalias !96
   %sunkaddr62.i.i.i = getelementptr i8, ptr %sunkaddr59.i.i.i, i64 8
-  %.860.epil.i.i.i = load double, ptr %sunkaddr62.i.i.i, align 8, !noalias !95
+  %.860.epil.i.i.i = load double, ptr %sunkaddr62.i.i.i, align 8, !noalias !96
   %.861.epil.i.i.i = insertelement <8 x double> poison, double %.860.epil.i.i.i, i64 0
   %.862.epil.i.i.i = shufflevector <8 x double> %.861.epil.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.870.epil.i.i.i = getelementptr inbounds double, ptr %.150.i.i.i, i64 %.757421423.epil.init.i.i.i
-  store <8 x double> %.862.epil.i.i.i, ptr %.870.epil.i.i.i, align 8, !noalias !95
-  br label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i
+  store <8 x double> %.862.epil.i.i.i, ptr %.870.epil.i.i.i, align 8, !noalias !96
+  br label %_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i
 
-_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i: ; preds = %B594.if.epil.preheader.i.i.i, %common.ret.sink.split.loopexit.unr-lcssa.i.i.i, %B266.i.i.i
-  call void @llvm.lifetime.end.p0(ptr nonnull %.509.i.i.i), !noalias !89
-  %.1154.i.i = uitofp nneg i64 %.1086800810.i.i to double
-  %.1155.i.i206 = fmul contract double %.455747.i.i, %.1154.i.i
-  %.1157.i.i = fadd contract double %.1350.i, %.1155.i.i206
-  br i1 %316, label %B884.i.i, label %B992.i.i
+_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.i.i: ; preds = %B594.if.epil.preheader.i.i.i, %common.ret.sink.split.loopexit.unr-lcssa.i.i.i, %B266.i.i.i
+  call void @llvm.lifetime.end.p0(ptr nonnull %.509.i.i.i), !noalias !90
+  %.1154.i.i203 = uitofp nneg i64 %.1086800810.i.i to double
+  %.1155.i.i204 = fmul contract double %.455747.i.i, %.1154.i.i203
+  %.1157.i.i = fadd contract double %.1350.i, %.1155.i.i204
+  br i1 %294, label %B884.i.i, label %B992.i.i
 
-_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.thread.i.i: ; preds = %B450.i.i.i
-  call void @llvm.lifetime.end.p0(ptr nonnull %.509.i.i.i), !noalias !89
+_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.thread.thread.i.i: ; preds = %B450.i.i.i
+  call void @llvm.lifetime.end.p0(ptr nonnull %.509.i.i.i), !noalias !90
   %.11542.i.i = uitofp nneg i64 %.1086800810.i.i to double
   %.11553.i.i = fmul contract double %.455747.i.i, %.11542.i.i
   %.11574.i.i = fadd contract double %.1350.i, %.11553.i.i
-  br i1 %316, label %B1112.i.i, label %B992.i.i
+  br i1 %294, label %B1112.i.i, label %B992.i.i
 
 B594.if.lr.ph.i.i.i:                              ; preds = %B450.i.i.i
-  br i1 %267, label %B594.if.epil.preheader.i.i.i, label %B594.if.i.preheader.i.i
+  br i1 %245, label %B594.if.epil.preheader.i.i.i, label %B594.if.i.preheader.i.i
 
 B594.if.i.preheader.i.i:                          ; preds = %B594.if.lr.ph.i.i.i
   %sunkaddr23.i62.i = inttoptr i64 %.613.i.i.i to ptr
@@ -4338,43 +4367,43 @@ B594.if.i.preheader.i.i:                          ; preds = %B594.if.lr.ph.i.i.i
   br label %B594.if.i.i.i
 
 B594.if.i.i.i:                                    ; preds = %B594.if.i.i.i, %B594.if.i.preheader.i.i
-  %lsr.iv7.i.i204 = phi i64 [ %lsr.iv.next8.i.i205, %B594.if.i.i.i ], [ %266, %B594.if.i.preheader.i.i ]
+  %lsr.iv7.i.i = phi i64 [ %lsr.iv.next8.i.i, %B594.if.i.i.i ], [ %244, %B594.if.i.preheader.i.i ]
   %.757421423.i.i.i = phi i64 [ %.764.1.i.i.i, %B594.if.i.i.i ], [ 0, %B594.if.i.preheader.i.i ]
-  %.818.i.i.i = load double, ptr %sunkaddr24.i63.i, align 8, !noalias !95
+  %.818.i.i.i = load double, ptr %sunkaddr24.i63.i, align 8, !noalias !96
   %.819.i.i.i = insertelement <8 x double> poison, double %.818.i.i.i, i64 0
   %.820.i.i.i = shufflevector <8 x double> %.819.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %sunkaddr25.i65.i = shl i64 %.757421423.i.i.i, 3
   %sunkaddr26.i.i = getelementptr i8, ptr %.432, i64 %sunkaddr25.i65.i
   %sunkaddr27.i66.i = getelementptr i8, ptr %sunkaddr26.i.i, i64 12288
-  store <8 x double> %.820.i.i.i, ptr %sunkaddr27.i66.i, align 8, !noalias !95
-  %.860.i.i.i = load double, ptr %sunkaddr30.i64.i, align 8, !noalias !95
+  store <8 x double> %.820.i.i.i, ptr %sunkaddr27.i66.i, align 8, !noalias !96
+  %.860.i.i.i = load double, ptr %sunkaddr30.i64.i, align 8, !noalias !96
   %.861.i.i.i = insertelement <8 x double> poison, double %.860.i.i.i, i64 0
   %.862.i.i.i = shufflevector <8 x double> %.861.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %sunkaddr33.i67.i = getelementptr i8, ptr %sunkaddr26.i.i, i64 13312
-  store <8 x double> %.862.i.i.i, ptr %sunkaddr33.i67.i, align 8, !noalias !95
+  store <8 x double> %.862.i.i.i, ptr %sunkaddr33.i67.i, align 8, !noalias !96
   %.764.1.i.i.i = add i64 %.757421423.i.i.i, 16
-  %.818.1.i.i.i = load double, ptr %sunkaddr24.i63.i, align 8, !noalias !95
+  %.818.1.i.i.i = load double, ptr %sunkaddr24.i63.i, align 8, !noalias !96
   %.819.1.i.i.i = insertelement <8 x double> poison, double %.818.1.i.i.i, i64 0
   %.820.1.i.i.i = shufflevector <8 x double> %.819.1.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %sunkaddr36.i68.i = shl i64 %.764.1.i.i.i, 3
   %sunkaddr37.i69.i = getelementptr i8, ptr %.432, i64 %sunkaddr36.i68.i
   %sunkaddr38.i70.i = getelementptr i8, ptr %sunkaddr37.i69.i, i64 12224
-  store <8 x double> %.820.1.i.i.i, ptr %sunkaddr38.i70.i, align 8, !noalias !95
-  %.860.1.i.i.i = load double, ptr %sunkaddr30.i64.i, align 8, !noalias !95
+  store <8 x double> %.820.1.i.i.i, ptr %sunkaddr38.i70.i, align 8, !noalias !96
+  %.860.1.i.i.i = load double, ptr %sunkaddr30.i64.i, align 8, !noalias !96
   %.861.1.i.i.i = insertelement <8 x double> poison, double %.860.1.i.i.i, i64 0
   %.862.1.i.i.i = shufflevector <8 x double> %.861.1.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %sunkaddr41.i71.i = getelementptr i8, ptr %sunkaddr37.i69.i, i64 13248
-  store <8 x double> %.862.1.i.i.i, ptr %sunkaddr41.i71.i, align 8, !noalias !95
-  %lsr.iv.next8.i.i205 = add i64 %lsr.iv7.i.i204, -2
-  %niter.ncmp.1.not.i.i.i = icmp eq i64 %lsr.iv.next8.i.i205, 0
+  store <8 x double> %.862.1.i.i.i, ptr %sunkaddr41.i71.i, align 8, !noalias !96
+  %lsr.iv.next8.i.i = add i64 %lsr.iv7.i.i, -2
+  %niter.ncmp.1.not.i.i.i = icmp eq i64 %lsr.iv.next8.i.i, 0
   br i1 %niter.ncmp.1.not.i.i.i, label %common.ret.sink.split.loopexit.unr-lcssa.i.i.i, label %B594.if.i.i.i
 
 B382.i.i.i:                                       ; preds = %B382.lr.ph.i.i.i, %B382.i.i.i
-  %lsr.iv.i55.i.i = phi i64 [ %.116.i.i154, %B382.lr.ph.i.i.i ], [ %lsr.iv.next.i57.i.i, %B382.i.i.i ]
+  %lsr.iv.i55.i.i = phi i64 [ %.116.i.i147, %B382.lr.ph.i.i.i ], [ %lsr.iv.next.i57.i.i, %B382.i.i.i ]
   %.679.sroa.0.0385.i.i.i = phi i64 [ 0, %B382.lr.ph.i.i.i ], [ %.679.sroa.0.0.i.i.i, %B382.i.i.i ]
   %.695954383.i.i.i = phi i64 [ 8, %B382.lr.ph.i.i.i ], [ %.695954.i.i.i, %B382.i.i.i ]
   %.734.i.i.i = getelementptr inbounds double, ptr %.290.i54.i, i64 %.679.sroa.0.0385.i.i.i
-  %.736.i.i.i = load <8 x double>, ptr %.734.i.i.i, align 8, !noalias !99
+  %.736.i.i.i = load <8 x double>, ptr %.734.i.i.i, align 8, !noalias !100
   %.8.i.i.i.i = fmul contract <8 x double> %.736.i.i.i, splat (double 0xC01921FB54442D18)
   %.8.i412.i.i.i = fmul contract <8 x double> %.7.i.i.i.i, %.8.i.i.i.i
   %.792.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i412.i.i.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
@@ -4403,55 +4432,55 @@ B382.i.i.i:                                       ; preds = %B382.lr.ph.i.i.i, %
   %.948.i.i.i = bitcast <8 x double> %.945.i.i.i to <8 x i64>
   %.6.i416.i.i.i = xor <8 x i64> %.948.i.i.i, %.947.i.i.i
   %.8.i417.i.i.i = and <8 x i64> %.946.i.i.i, splat (i64 1)
-  %320 = icmp eq <8 x i64> %.8.i417.i.i.i, zeroinitializer
-  %.6.i419.i.i.i = select <8 x i1> %320, <8 x i64> zeroinitializer, <8 x i64> %.6.i416.i.i.i
+  %298 = icmp eq <8 x i64> %.8.i417.i.i.i, zeroinitializer
+  %.6.i419.i.i.i = select <8 x i1> %298, <8 x i64> zeroinitializer, <8 x i64> %.6.i416.i.i.i
   %.8.i420.i.i.i = shl <8 x i64> %.946.i.i.i, splat (i64 62)
   %.8.i421.i.i.i = and <8 x i64> %.8.i420.i.i.i, splat (i64 -9223372036854775808)
   %.8.i423.i.i.i = add <8 x i64> %.8.i420.i.i.i, splat (i64 4611686018427387904)
   %.8.i424.i.i.i = and <8 x i64> %.8.i423.i.i.i, splat (i64 -9223372036854775808)
-  %321 = xor <8 x i64> %.8.i421.i.i.i, %.947.i.i.i
-  %.6.i426.i.i.i = xor <8 x i64> %321, %.6.i419.i.i.i
-  %322 = bitcast <8 x i64> %.6.i426.i.i.i to <8 x double>
-  %323 = xor <8 x i64> %.8.i424.i.i.i, %.948.i.i.i
-  %.6.i428.i.i.i = xor <8 x i64> %323, %.6.i419.i.i.i
-  %324 = bitcast <8 x i64> %.6.i428.i.i.i to <8 x double>
+  %299 = xor <8 x i64> %.8.i421.i.i.i, %.947.i.i.i
+  %.6.i426.i.i.i = xor <8 x i64> %299, %.6.i419.i.i.i
+  %300 = bitcast <8 x i64> %.6.i426.i.i.i to <8 x double>
+  %301 = xor <8 x i64> %.8.i424.i.i.i, %.948.i.i.i
+  %.6.i428.i.i.i = xor <8 x i64> %301, %.6.i419.i.i.i
+  %302 = bitcast <8 x i64> %.6.i428.i.i.i to <8 x double>
   %sunkaddr.i56.i.i = shl i64 %.679.sroa.0.0385.i.i.i, 3
   %sunkaddr487.i.i.i = getelementptr inbounds i8, ptr %.432, i64 %sunkaddr.i56.i.i
   %sunkaddr488.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr487.i.i.i, i64 12288
-  %.1293.i.i.i = load <8 x double>, ptr %sunkaddr488.i.i.i, align 8, !noalias !99
+  %.1293.i.i.i = load <8 x double>, ptr %sunkaddr488.i.i.i, align 8, !noalias !100
   %sunkaddr491.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr487.i.i.i, i64 13312
-  %.1303.i.i.i = load <8 x double>, ptr %sunkaddr491.i.i.i, align 8, !noalias !99
-  %325 = fneg contract <8 x double> %322
-  %.8.i430.i.i.i = fmul contract <8 x double> %.1303.i.i.i, %325
-  %.1352.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1293.i.i.i, <8 x double> %324, <8 x double> %.8.i430.i.i.i)
-  %.6.i431.i.i.i = fmul contract <8 x double> %.1303.i.i.i, %324
-  %.1377.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1293.i.i.i, <8 x double> %322, <8 x double> %.6.i431.i.i.i)
+  %.1303.i.i.i = load <8 x double>, ptr %sunkaddr491.i.i.i, align 8, !noalias !100
+  %303 = fneg contract <8 x double> %300
+  %.8.i430.i.i.i = fmul contract <8 x double> %.1303.i.i.i, %303
+  %.1352.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1293.i.i.i, <8 x double> %302, <8 x double> %.8.i430.i.i.i)
+  %.6.i431.i.i.i = fmul contract <8 x double> %.1303.i.i.i, %302
+  %.1377.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1293.i.i.i, <8 x double> %300, <8 x double> %.6.i431.i.i.i)
   %.1406.i.i.i = getelementptr inbounds double, ptr %.1178.i.i, i64 %.679.sroa.0.0385.i.i.i
-  %.1408.i.i.i = load <8 x double>, ptr %.1406.i.i.i, align 8, !noalias !99
+  %.1408.i.i.i = load <8 x double>, ptr %.1406.i.i.i, align 8, !noalias !100
   %.1416.i.i.i = getelementptr inbounds double, ptr %.1244.i.i, i64 %.679.sroa.0.0385.i.i.i
-  %.1418.i.i.i = load <8 x double>, ptr %.1416.i.i.i, align 8, !noalias !99
-  %326 = fneg contract <8 x double> %.1377.i.i.i
-  %.8.i433.i.i.i = fmul contract <8 x double> %.1418.i.i.i, %326
+  %.1418.i.i.i = load <8 x double>, ptr %.1416.i.i.i, align 8, !noalias !100
+  %304 = fneg contract <8 x double> %.1377.i.i.i
+  %.8.i433.i.i.i = fmul contract <8 x double> %.1418.i.i.i, %304
   %.1467.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1408.i.i.i, <8 x double> %.1352.i.i.i, <8 x double> %.8.i433.i.i.i)
   %.6.i434.i.i.i = fmul contract <8 x double> %.1418.i.i.i, %.1352.i.i.i
   %.1492.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1408.i.i.i, <8 x double> %.1377.i.i.i, <8 x double> %.6.i434.i.i.i)
   %sunkaddr494.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr487.i.i.i, i64 6144
-  %.1522.i.i.i = load <8 x double>, ptr %sunkaddr494.i.i.i, align 8, !noalias !99
+  %.1522.i.i.i = load <8 x double>, ptr %sunkaddr494.i.i.i, align 8, !noalias !100
   %.6.i435.i.i.i = fadd contract <8 x double> %.1522.i.i.i, %.1467.i.i.i
-  store <8 x double> %.6.i435.i.i.i, ptr %sunkaddr494.i.i.i, align 8, !noalias !99
+  store <8 x double> %.6.i435.i.i.i, ptr %sunkaddr494.i.i.i, align 8, !noalias !100
   %sunkaddr497.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr487.i.i.i, i64 7168
-  %.1566.i.i.i = load <8 x double>, ptr %sunkaddr497.i.i.i, align 8, !noalias !99
+  %.1566.i.i.i = load <8 x double>, ptr %sunkaddr497.i.i.i, align 8, !noalias !100
   %.6.i436.i.i.i = fadd contract <8 x double> %.1566.i.i.i, %.1492.i.i.i
-  store <8 x double> %.6.i436.i.i.i, ptr %sunkaddr497.i.i.i, align 8, !noalias !99
+  store <8 x double> %.6.i436.i.i.i, ptr %sunkaddr497.i.i.i, align 8, !noalias !100
   %sunkaddr500.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr487.i.i.i, i64 8192
-  %.1610.i.i.i = load <8 x double>, ptr %sunkaddr500.i.i.i, align 8, !noalias !99
+  %.1610.i.i.i = load <8 x double>, ptr %sunkaddr500.i.i.i, align 8, !noalias !100
   %.6.i437.i.i.i = fmul contract <8 x double> %.8.i.i.i.i, %.1492.i.i.i
   %.6.i438.i.i.i = fsub contract <8 x double> %.1610.i.i.i, %.6.i437.i.i.i
-  store <8 x double> %.6.i438.i.i.i, ptr %sunkaddr500.i.i.i, align 8, !noalias !99
+  store <8 x double> %.6.i438.i.i.i, ptr %sunkaddr500.i.i.i, align 8, !noalias !100
   %sunkaddr503.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr487.i.i.i, i64 9216
-  %.1678.i.i.i = load <8 x double>, ptr %sunkaddr503.i.i.i, align 8, !noalias !99
+  %.1678.i.i.i = load <8 x double>, ptr %sunkaddr503.i.i.i, align 8, !noalias !100
   %.1679.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i.i.i, <8 x double> %.1467.i.i.i, <8 x double> %.1678.i.i.i)
-  store <8 x double> %.1679.i.i.i, ptr %sunkaddr503.i.i.i, align 8, !noalias !99
+  store <8 x double> %.1679.i.i.i, ptr %sunkaddr503.i.i.i, align 8, !noalias !100
   %.689.i.i.i = icmp samesign ugt i64 %lsr.iv.i55.i.i, 1
   %.702.i.i.i = add i64 %.695954383.i.i.i, 8
   %.695954.i.i.i = select i1 %.689.i.i.i, i64 %.702.i.i.i, i64 %.695954383.i.i.i
@@ -4466,11 +4495,11 @@ B382.lr.ph.i.i.i:                                 ; preds = %B884.i.i
   br label %B382.i.i.i
 
 B394.i.i.i:                                       ; preds = %B394.lr.ph.i.i.i, %B394.i.i.i
-  %lsr.iv.i61.i.i = phi i64 [ %.116.i.i154, %B394.lr.ph.i.i.i ], [ %lsr.iv.next.i68.i.i, %B394.i.i.i ]
+  %lsr.iv.i61.i.i = phi i64 [ %.116.i.i147, %B394.lr.ph.i.i.i ], [ %lsr.iv.next.i68.i.i, %B394.i.i.i ]
   %.735.sroa.0.0673.i.i.i = phi i64 [ 0, %B394.lr.ph.i.i.i ], [ %.735.sroa.0.0.i.i.i, %B394.i.i.i ]
   %.7511582671.i.i.i = phi i64 [ 8, %B394.lr.ph.i.i.i ], [ %.7511582.i.i.i, %B394.i.i.i ]
   %.790.i.i.i = getelementptr inbounds double, ptr %.290.i54.i, i64 %.735.sroa.0.0673.i.i.i
-  %.792.i62.i.i = load <8 x double>, ptr %.790.i.i.i, align 8, !noalias !102
+  %.792.i62.i.i = load <8 x double>, ptr %.790.i.i.i, align 8, !noalias !103
   %.8.i.i63.i.i = fmul contract <8 x double> %.792.i62.i.i, splat (double 0xC01921FB54442D18)
   %.8.i700.i.i.i = fmul contract <8 x double> %.7.i.i60.i.i, %.8.i.i63.i.i
   %.848.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i700.i.i.i, <8 x double> splat (double 0x3FE45F306DC9C883), <8 x double> splat (double 0x4338000000000000))
@@ -4499,69 +4528,69 @@ B394.i.i.i:                                       ; preds = %B394.lr.ph.i.i.i, %
   %.1004.i.i.i = bitcast <8 x double> %.1001.i.i.i to <8 x i64>
   %.6.i704.i.i.i = xor <8 x i64> %.1004.i.i.i, %.1003.i.i.i
   %.8.i705.i.i.i = and <8 x i64> %.1002.i.i.i, splat (i64 1)
-  %327 = icmp eq <8 x i64> %.8.i705.i.i.i, zeroinitializer
-  %.6.i707.i.i.i = select <8 x i1> %327, <8 x i64> zeroinitializer, <8 x i64> %.6.i704.i.i.i
+  %305 = icmp eq <8 x i64> %.8.i705.i.i.i, zeroinitializer
+  %.6.i707.i.i.i = select <8 x i1> %305, <8 x i64> zeroinitializer, <8 x i64> %.6.i704.i.i.i
   %.8.i708.i.i.i = shl <8 x i64> %.1002.i.i.i, splat (i64 62)
   %.8.i709.i.i.i = and <8 x i64> %.8.i708.i.i.i, splat (i64 -9223372036854775808)
   %.8.i711.i.i.i = add <8 x i64> %.8.i708.i.i.i, splat (i64 4611686018427387904)
   %.8.i712.i.i.i = and <8 x i64> %.8.i711.i.i.i, splat (i64 -9223372036854775808)
-  %328 = xor <8 x i64> %.8.i709.i.i.i, %.1003.i.i.i
-  %.6.i714.i.i.i = xor <8 x i64> %328, %.6.i707.i.i.i
-  %329 = bitcast <8 x i64> %.6.i714.i.i.i to <8 x double>
-  %330 = xor <8 x i64> %.8.i712.i.i.i, %.1004.i.i.i
-  %.6.i716.i.i.i = xor <8 x i64> %330, %.6.i707.i.i.i
-  %331 = bitcast <8 x i64> %.6.i716.i.i.i to <8 x double>
+  %306 = xor <8 x i64> %.8.i709.i.i.i, %.1003.i.i.i
+  %.6.i714.i.i.i = xor <8 x i64> %306, %.6.i707.i.i.i
+  %307 = bitcast <8 x i64> %.6.i714.i.i.i to <8 x double>
+  %308 = xor <8 x i64> %.8.i712.i.i.i, %.1004.i.i.i
+  %.6.i716.i.i.i = xor <8 x i64> %308, %.6.i707.i.i.i
+  %309 = bitcast <8 x i64> %.6.i716.i.i.i to <8 x double>
   %sunkaddr.i65.i.i = shl i64 %.735.sroa.0.0673.i.i.i, 3
   %sunkaddr792.i.i.i = getelementptr inbounds i8, ptr %.432, i64 %sunkaddr.i65.i.i
   %sunkaddr793.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr792.i.i.i, i64 12288
-  %.1349.i.i.i = load <8 x double>, ptr %sunkaddr793.i.i.i, align 8, !noalias !102
+  %.1349.i.i.i = load <8 x double>, ptr %sunkaddr793.i.i.i, align 8, !noalias !103
   %sunkaddr796.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr792.i.i.i, i64 13312
-  %.1359.i.i.i = load <8 x double>, ptr %sunkaddr796.i.i.i, align 8, !noalias !102
-  %332 = fneg contract <8 x double> %329
-  %.8.i718.i.i.i = fmul contract <8 x double> %.1359.i.i.i, %332
-  %.1408.i66.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1349.i.i.i, <8 x double> %331, <8 x double> %.8.i718.i.i.i)
-  %.6.i719.i.i.i = fmul contract <8 x double> %.1359.i.i.i, %331
-  %.1433.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1349.i.i.i, <8 x double> %329, <8 x double> %.6.i719.i.i.i)
+  %.1359.i.i.i = load <8 x double>, ptr %sunkaddr796.i.i.i, align 8, !noalias !103
+  %310 = fneg contract <8 x double> %307
+  %.8.i718.i.i.i = fmul contract <8 x double> %.1359.i.i.i, %310
+  %.1408.i66.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1349.i.i.i, <8 x double> %309, <8 x double> %.8.i718.i.i.i)
+  %.6.i719.i.i.i = fmul contract <8 x double> %.1359.i.i.i, %309
+  %.1433.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1349.i.i.i, <8 x double> %307, <8 x double> %.6.i719.i.i.i)
   %.1455.i.i.i = add nsw i64 %.735.sroa.0.0673.i.i.i, %.267.i.i.i
   %.1459.i.i.i = add nsw i64 %.735.sroa.0.0673.i.i.i, %.1458.i.i.i
   %gep.i.i.i = getelementptr double, ptr %invariant.gep.i.i.i, i64 %.1455.i.i.i
-  %.1483.i.i.i = load <8 x double>, ptr %gep.i.i.i, align 8, !noalias !102
-  %.1491.i.i.i = getelementptr inbounds double, ptr %315, i64 %.1455.i.i.i
-  %.1493.i.i.i = load <8 x double>, ptr %.1491.i.i.i, align 8, !noalias !102
+  %.1483.i.i.i = load <8 x double>, ptr %gep.i.i.i, align 8, !noalias !103
+  %.1491.i.i.i = getelementptr inbounds double, ptr %293, i64 %.1455.i.i.i
+  %.1493.i.i.i = load <8 x double>, ptr %.1491.i.i.i, align 8, !noalias !103
   %.8.i722.i.i.i = fmul contract <8 x double> %.7.i721.i.i.i, %.1493.i.i.i
   %.1521.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1483.i.i.i, <8 x double> %.1520.i.i.i, <8 x double> %.8.i722.i.i.i)
   %gep1622.i.i.i = getelementptr double, ptr %invariant.gep1621.i.i.i, i64 %.1455.i.i.i
-  %.1532.i.i.i = load <8 x double>, ptr %gep1622.i.i.i, align 8, !noalias !102
+  %.1532.i.i.i = load <8 x double>, ptr %gep1622.i.i.i, align 8, !noalias !103
   %gep1624.i.i.i = getelementptr double, ptr %invariant.gep1623.i.i.i, i64 %.1455.i.i.i
-  %.1544.i.i.i = load <8 x double>, ptr %gep1624.i.i.i, align 8, !noalias !102
+  %.1544.i.i.i = load <8 x double>, ptr %gep1624.i.i.i, align 8, !noalias !103
   %.1548.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1544.i.i.i, <8 x double> %.1547.i.i.i, <8 x double> %.1521.i.i.i)
   %.1551.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1532.i.i.i, <8 x double> %.1550.i.i.i, <8 x double> %.1548.i.i.i)
   %gep1626.i.i.i = getelementptr double, ptr %invariant.gep1625.i.i.i, i64 %.1455.i.i.i
-  %.1562.i.i.i = load <8 x double>, ptr %gep1626.i.i.i, align 8, !noalias !102
+  %.1562.i.i.i = load <8 x double>, ptr %gep1626.i.i.i, align 8, !noalias !103
   %gep1628.i.i.i = getelementptr double, ptr %invariant.gep1627.i.i.i, i64 %.1455.i.i.i
-  %.1574.i.i.i = load <8 x double>, ptr %gep1628.i.i.i, align 8, !noalias !102
+  %.1574.i.i.i = load <8 x double>, ptr %gep1628.i.i.i, align 8, !noalias !103
   %.1587.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1574.i.i.i, <8 x double> %.1586.i.i.i, <8 x double> %.1551.i.i.i)
   %.1590.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1562.i.i.i, <8 x double> %.1589.i.i.i, <8 x double> %.1587.i.i.i)
   %gep1542.i.i.i = getelementptr double, ptr %invariant.gep.i.i.i, i64 %.1459.i.i.i
-  %.1613.i.i.i = load <8 x double>, ptr %gep1542.i.i.i, align 8, !noalias !102
-  %.1621.i.i.i = getelementptr inbounds double, ptr %315, i64 %.1459.i.i.i
-  %.1623.i.i.i = load <8 x double>, ptr %.1621.i.i.i, align 8, !noalias !102
+  %.1613.i.i.i = load <8 x double>, ptr %gep1542.i.i.i, align 8, !noalias !103
+  %.1621.i.i.i = getelementptr inbounds double, ptr %293, i64 %.1459.i.i.i
+  %.1623.i.i.i = load <8 x double>, ptr %.1621.i.i.i, align 8, !noalias !103
   %.8.i725.i.i.i = fmul contract <8 x double> %.7.i721.i.i.i, %.1623.i.i.i
   %.1651.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1613.i.i.i, <8 x double> %.1520.i.i.i, <8 x double> %.8.i725.i.i.i)
   %gep1630.i.i.i = getelementptr double, ptr %invariant.gep1621.i.i.i, i64 %.1459.i.i.i
-  %.1662.i.i.i = load <8 x double>, ptr %gep1630.i.i.i, align 8, !noalias !102
+  %.1662.i.i.i = load <8 x double>, ptr %gep1630.i.i.i, align 8, !noalias !103
   %gep1632.i.i.i = getelementptr double, ptr %invariant.gep1623.i.i.i, i64 %.1459.i.i.i
-  %.1674.i.i.i = load <8 x double>, ptr %gep1632.i.i.i, align 8, !noalias !102
+  %.1674.i.i.i = load <8 x double>, ptr %gep1632.i.i.i, align 8, !noalias !103
   %.1678.i67.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1674.i.i.i, <8 x double> %.1547.i.i.i, <8 x double> %.1651.i.i.i)
   %.1681.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1662.i.i.i, <8 x double> %.1550.i.i.i, <8 x double> %.1678.i67.i.i)
   %gep1634.i.i.i = getelementptr double, ptr %invariant.gep1625.i.i.i, i64 %.1459.i.i.i
-  %.1692.i.i.i = load <8 x double>, ptr %gep1634.i.i.i, align 8, !noalias !102
+  %.1692.i.i.i = load <8 x double>, ptr %gep1634.i.i.i, align 8, !noalias !103
   %gep1636.i.i.i = getelementptr double, ptr %invariant.gep1627.i.i.i, i64 %.1459.i.i.i
-  %.1704.i.i.i = load <8 x double>, ptr %gep1636.i.i.i, align 8, !noalias !102
+  %.1704.i.i.i = load <8 x double>, ptr %gep1636.i.i.i, align 8, !noalias !103
   %.1717.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1704.i.i.i, <8 x double> %.1586.i.i.i, <8 x double> %.1681.i.i.i)
   %.1720.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1692.i.i.i, <8 x double> %.1589.i.i.i, <8 x double> %.1717.i.i.i)
-  %333 = fneg contract <8 x double> %.1433.i.i.i
-  %.8.i727.i.i.i = fmul contract <8 x double> %.1720.i.i.i, %333
+  %311 = fneg contract <8 x double> %.1433.i.i.i
+  %.8.i727.i.i.i = fmul contract <8 x double> %.1720.i.i.i, %311
   %.1769.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1590.i.i.i, <8 x double> %.1408.i66.i.i, <8 x double> %.8.i727.i.i.i)
   %.6.i728.i.i.i = fmul contract <8 x double> %.1720.i.i.i, %.1408.i66.i.i
   %.1794.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1590.i.i.i, <8 x double> %.1433.i.i.i, <8 x double> %.6.i728.i.i.i)
@@ -4577,29 +4606,29 @@ B394.i.i.i:                                       ; preds = %B394.lr.ph.i.i.i, %
   %.2036.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1662.i.i.i, <8 x double> %.1905.i.i.i, <8 x double> %.2033.i.i.i)
   %.2072.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1704.i.i.i, <8 x double> %.1941.i.i.i, <8 x double> %.2036.i.i.i)
   %.2075.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1692.i.i.i, <8 x double> %.1944.i.i.i, <8 x double> %.2072.i.i.i)
-  %.8.i736.i.i.i = fmul contract <8 x double> %.2075.i.i.i, %333
+  %.8.i736.i.i.i = fmul contract <8 x double> %.2075.i.i.i, %311
   %.2124.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1945.i.i.i, <8 x double> %.1408.i66.i.i, <8 x double> %.8.i736.i.i.i)
   %.6.i737.i.i.i = fmul contract <8 x double> %.2075.i.i.i, %.1408.i66.i.i
   %.2149.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.1945.i.i.i, <8 x double> %.1433.i.i.i, <8 x double> %.6.i737.i.i.i)
   %sunkaddr799.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr792.i.i.i, i64 6144
-  %.2179.i.i.i = load <8 x double>, ptr %sunkaddr799.i.i.i, align 8, !noalias !102
+  %.2179.i.i.i = load <8 x double>, ptr %sunkaddr799.i.i.i, align 8, !noalias !103
   %.6.i738.i.i.i = fadd contract <8 x double> %.2179.i.i.i, %.1769.i.i.i
-  store <8 x double> %.6.i738.i.i.i, ptr %sunkaddr799.i.i.i, align 8, !noalias !102
+  store <8 x double> %.6.i738.i.i.i, ptr %sunkaddr799.i.i.i, align 8, !noalias !103
   %sunkaddr802.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr792.i.i.i, i64 7168
-  %.2223.i.i.i = load <8 x double>, ptr %sunkaddr802.i.i.i, align 8, !noalias !102
+  %.2223.i.i.i = load <8 x double>, ptr %sunkaddr802.i.i.i, align 8, !noalias !103
   %.6.i739.i.i.i = fadd contract <8 x double> %.2223.i.i.i, %.1794.i.i.i
-  store <8 x double> %.6.i739.i.i.i, ptr %sunkaddr802.i.i.i, align 8, !noalias !102
+  store <8 x double> %.6.i739.i.i.i, ptr %sunkaddr802.i.i.i, align 8, !noalias !103
   %sunkaddr805.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr792.i.i.i, i64 8192
-  %.2267.i.i.i = load <8 x double>, ptr %sunkaddr805.i.i.i, align 8, !noalias !102
+  %.2267.i.i.i = load <8 x double>, ptr %sunkaddr805.i.i.i, align 8, !noalias !103
   %.6.i740.i.i.i = fmul contract <8 x double> %.8.i.i63.i.i, %.1794.i.i.i
   %.6.i741.i.i.i = fsub contract <8 x double> %.2124.i.i.i, %.6.i740.i.i.i
   %.6.i742.i.i.i = fadd contract <8 x double> %.2267.i.i.i, %.6.i741.i.i.i
-  store <8 x double> %.6.i742.i.i.i, ptr %sunkaddr805.i.i.i, align 8, !noalias !102
+  store <8 x double> %.6.i742.i.i.i, ptr %sunkaddr805.i.i.i, align 8, !noalias !103
   %sunkaddr808.i.i.i = getelementptr inbounds nuw i8, ptr %sunkaddr792.i.i.i, i64 9216
-  %.2359.i.i.i = load <8 x double>, ptr %sunkaddr808.i.i.i, align 8, !noalias !102
+  %.2359.i.i.i = load <8 x double>, ptr %sunkaddr808.i.i.i, align 8, !noalias !103
   %.2360.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.8.i.i63.i.i, <8 x double> %.1769.i.i.i, <8 x double> %.2149.i.i.i)
   %.6.i743.i.i.i = fadd contract <8 x double> %.2359.i.i.i, %.2360.i.i.i
-  store <8 x double> %.6.i743.i.i.i, ptr %sunkaddr808.i.i.i, align 8, !noalias !102
+  store <8 x double> %.6.i743.i.i.i, ptr %sunkaddr808.i.i.i, align 8, !noalias !103
   %.745.i.i.i = icmp samesign ugt i64 %lsr.iv.i61.i.i, 1
   %.758.i.i.i = add i64 %.7511582671.i.i.i, 8
   %.7511582.i.i.i = select i1 %.745.i.i.i, i64 %.758.i.i.i, i64 %.7511582671.i.i.i
@@ -4613,7 +4642,7 @@ B394.lr.ph.i.i.i:                                 ; preds = %B992.i.i
   %.1683.i.i = fmul contract double %.183.i.i.i, %.1682.i.i
   %.1684.i.i = fmul contract double %.183.i.i.i, %.1683.i.i
   %.1685.i.i = fmul contract double %.183.i.i.i, %.1684.i.i
-  %.1686.i.i218 = fmul contract double %.1651.i.i208, %.1685.i.i
+  %.1686.i.i216 = fmul contract double %.1651.i.i206, %.1685.i.i
   %.186.i.i.i = fmul contract double %.183.i.i.i, %.185.i.i.i
   %.187.i.i.i = fmul contract double %.183.i.i.i, %.186.i.i.i
   %.191.i.i.i = fdiv contract double %.187.i.i.i, 1.200000e+02
@@ -4621,23 +4650,23 @@ B394.lr.ph.i.i.i:                                 ; preds = %B992.i.i
   %.7.i.i60.i.i = shufflevector <8 x double> %.6.i.i59.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   %.6.i720.i.i.i = insertelement <8 x double> poison, double %.191.i.i.i, i64 0
   %.7.i721.i.i.i = shufflevector <8 x double> %.6.i720.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i729.i.i.i = insertelement <8 x double> poison, double %.1686.i.i218, i64 0
+  %.6.i729.i.i.i = insertelement <8 x double> poison, double %.1686.i.i216, i64 0
   %.7.i730.i.i.i = shufflevector <8 x double> %.6.i729.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
   br label %B394.i.i.i
 
-_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v305B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1112.i.i, %B604.loopexit.3.i.i
-  %.74.i.i = load i64, ptr %.76, align 8, !noalias !105
+_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v318B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B1112.i.i, %B604.loopexit.3.i.i
+  %.74.i.i = load i64, ptr %.76, align 8, !noalias !106
   %.190.i74.i = add nsw i64 %.74.i.i, 1
   %.192.i.i = mul nsw i64 %.190.i74.i, %.74.i.i
   %.272.i75.i = and i64 %.192.i.i, -2
   %.412887.not.i.i = icmp slt i64 %.74.i.i, 1
-  br i1 %.412887.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B290.if.lr.ph.i.i
+  br i1 %.412887.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B290.if.lr.ph.i.i
 
 B290.loopexit.i.i:                                ; preds = %B1078.i.i
   %.425.i.i = add nuw nsw i64 %.356.0.i.i, 1
   %scevgep267.i.i = getelementptr i8, ptr %lsr.iv.i78.i, i64 27648
   %exitcond262.not.i.i = icmp eq i64 %.425.i.i, %.74.i.i
-  br i1 %exitcond262.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B290.if.i.i
+  br i1 %exitcond262.not.i.i, label %_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i, label %B290.if.i.i
 
 B836.i.i:                                         ; preds = %B274.i.i.i, %B328.if.i.i
   br i1 %brmerge1.i.i, label %B1078.i.i, label %B174.if.preheader.i117.i.i
@@ -4645,73 +4674,73 @@ B836.i.i:                                         ; preds = %B274.i.i.i, %B328.i
 B1078.i.i:                                        ; preds = %B274.i130.i.i, %B836.i.i
   %.1704.i.i = add nsw i64 %at.2.1884.i.i, 1
   %scevgep276.i.i = getelementptr i8, ptr %lsr.iv275.i.i, i64 27648
-  %exitcond.not.i93.i = icmp eq i64 %.553.i.i223, %.74.i.i
+  %exitcond.not.i93.i = icmp eq i64 %.553.i.i221, %.74.i.i
   br i1 %exitcond.not.i93.i, label %B290.loopexit.i.i, label %B328.if.i.i
 
-B290.if.lr.ph.i.i:                                ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v305B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i
+B290.if.lr.ph.i.i:                                ; preds = %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v318B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i
   %.200.1.i.i = lshr i64 %.192.i.i, 1
   %.269.i76.i = mul i64 %.268.i.i192, %.200.1.i.i
-  %.266.i.i219 = load i64, ptr %.265.i.i193, align 8, !noalias !105
-  %.270.i.i220 = add nsw i64 %.266.i.i219, %.269.i76.i
-  %.178.i.i221 = load i64, ptr %.500.i.i190, align 8, !noalias !105
-  %334 = icmp eq i64 %.178.i.i221, 1
-  %.105.i.i = load i64, ptr %.143, align 8, !noalias !105
+  %.266.i.i217 = load i64, ptr %.265.i.i193, align 8, !noalias !106
+  %.270.i.i218 = add nsw i64 %.266.i.i217, %.269.i76.i
+  %.178.i.i219 = load i64, ptr %.500.i.i191, align 8, !noalias !106
+  %312 = icmp eq i64 %.178.i.i219, 1
+  %.105.i.i = load i64, ptr %.143, align 8, !noalias !106
   %.106.i.i = sub i64 0, %.105.i.i
   %.114.1.i.i = and i64 %.106.i.i, -8
   %.148.i.i = sub i64 0, %.114.1.i.i
   %.585.i.i = mul nsw i64 %.1212877881, %.148.i.i
-  %.591.i.i222 = shl nsw i64 %.148.i.i, 1
+  %.591.i.i220 = shl nsw i64 %.148.i.i, 1
   %.594.i.i = mul nuw nsw i64 %.200.1.i.i, %.1212877881
-  %335 = mul i64 %.114.1.i.i, -8
-  %336 = select i1 %334, i64 0, i64 %335
-  %337 = inttoptr i64 %.270.i.i220 to ptr
+  %313 = mul i64 %.114.1.i.i, -8
+  %314 = select i1 %312, i64 0, i64 %313
+  %315 = inttoptr i64 %.270.i.i218 to ptr
   br label %B290.if.i.i
 
 B290.if.i.i:                                      ; preds = %B290.if.lr.ph.i.i, %B290.loopexit.i.i
   %lsr.iv.i78.i = phi ptr [ %scevgep266.i.i, %B290.if.lr.ph.i.i ], [ %scevgep267.i.i, %B290.loopexit.i.i ]
   %.356.0.i.i = phi i64 [ 0, %B290.if.lr.ph.i.i ], [ %.425.i.i, %B290.loopexit.i.i ]
   %at.3.0888.i.i = phi i64 [ 0, %B290.if.lr.ph.i.i ], [ %.1704.i.i, %B290.loopexit.i.i ]
-  %338 = icmp ne i64 %.356.0.i.i, %.1195959968.i
-  %brmerge1.i.i = select i1 %338, i1 true, i1 %.93.inv.i.i
+  %316 = icmp ne i64 %.356.0.i.i, %.1195959968.i
+  %brmerge1.i.i = select i1 %316, i1 true, i1 %.93.inv.i.i
   br label %B328.if.i.i
 
 B328.if.i.i:                                      ; preds = %B290.if.i.i, %B1078.i.i
   %lsr.iv275.i.i = phi ptr [ %lsr.iv.i78.i, %B290.if.i.i ], [ %scevgep276.i.i, %B1078.i.i ]
-  %.484.0.i.i = phi i64 [ %.356.0.i.i, %B290.if.i.i ], [ %.553.i.i223, %B1078.i.i ]
+  %.484.0.i.i = phi i64 [ %.356.0.i.i, %B290.if.i.i ], [ %.553.i.i221, %B1078.i.i ]
   %at.2.1884.i.i = phi i64 [ %at.3.0888.i.i, %B290.if.i.i ], [ %.1704.i.i, %B1078.i.i ]
-  %.553.i.i223 = add nuw i64 %.484.0.i.i, 1
-  %.596.i.i224 = add nsw i64 %at.2.1884.i.i, %.594.i.i
-  %.597.i.i = mul nsw i64 %.591.i.i222, %.596.i.i224
-  %"$phi374.2.2.2.i.i" = select i1 %334, i64 %.585.i.i, i64 %.597.i.i
-  %.634.i.i = load i64, ptr %sunkaddr12.i77.i, align 8, !noalias !105
+  %.553.i.i221 = add nuw i64 %.484.0.i.i, 1
+  %.596.i.i222 = add nsw i64 %at.2.1884.i.i, %.594.i.i
+  %.597.i.i = mul nsw i64 %.591.i.i220, %.596.i.i222
+  %"$phi374.2.2.2.i.i" = select i1 %312, i64 %.585.i.i, i64 %.597.i.i
+  %.634.i.i = load i64, ptr %sunkaddr12.i77.i, align 8, !noalias !106
   %.635.i.i = shl nsw i64 %"$phi374.2.2.2.i.i", 3
-  %.636.i.i225 = add nsw i64 %.635.i.i, %.634.i.i
-  %.639.i.i = inttoptr i64 %.636.i.i225 to ptr
-  %.805.i.i226 = getelementptr double, ptr %.639.i.i, i64 %.1020890909
-  %.873.i.i227 = icmp slt i64 %at.2.1884.i.i, 0
-  %.874.i.i = select i1 %.873.i.i227, i64 %.272.i75.i, i64 0
+  %.636.i.i223 = add nsw i64 %.635.i.i, %.634.i.i
+  %.639.i.i = inttoptr i64 %.636.i.i223 to ptr
+  %.805.i.i224 = getelementptr double, ptr %.639.i.i, i64 %.1020890909
+  %.873.i.i = icmp slt i64 %at.2.1884.i.i, 0
+  %.874.i.i = select i1 %.873.i.i, i64 %.272.i75.i, i64 0
   %.idx57.i.i = shl i64 %at.2.1884.i.i, 4
-  %339 = getelementptr i8, ptr %337, i64 %.idx57.i.i
-  %.888.i.i = getelementptr double, ptr %339, i64 %.874.i.i
-  %.889.i79.i = load double, ptr %.888.i.i, align 8, !noalias !105
-  %340 = getelementptr i8, ptr %339, i64 8
-  %.921.i.i228 = getelementptr double, ptr %340, i64 %.874.i.i
-  %.922.i.i229 = load double, ptr %.921.i.i228, align 8, !noalias !105
-  %.951.i.i230 = icmp ne i64 %.484.0.i.i, %.1195959968.i
-  %brmerge.i.i = or i1 %.93.inv.i.i, %.951.i.i230
+  %317 = getelementptr i8, ptr %315, i64 %.idx57.i.i
+  %.888.i.i = getelementptr double, ptr %317, i64 %.874.i.i
+  %.889.i79.i = load double, ptr %.888.i.i, align 8, !noalias !106
+  %318 = getelementptr i8, ptr %317, i64 8
+  %.921.i.i225 = getelementptr double, ptr %318, i64 %.874.i.i
+  %.922.i.i226 = load double, ptr %.921.i.i225, align 8, !noalias !106
+  %.951.i.i227 = icmp ne i64 %.484.0.i.i, %.1195959968.i
+  %brmerge.i.i = or i1 %.93.inv.i.i, %.951.i.i227
   br i1 %brmerge.i.i, label %B836.i.i, label %B174.if.preheader.i.i.i
 
 B174.if.preheader.i.i.i:                          ; preds = %B328.if.i.i
   %.6.i.i.i80.i = insertelement <8 x double> poison, double %.889.i79.i, i64 0
   %.7.i.i.i81.i = shufflevector <8 x double> %.6.i.i.i80.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i97.i.i.i = insertelement <8 x double> poison, double %.922.i.i229, i64 0
+  %.6.i97.i.i.i = insertelement <8 x double> poison, double %.922.i.i226, i64 0
   %.7.i98.i.i.i = shufflevector <8 x double> %.6.i97.i.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %scevgep7.i.i = getelementptr i8, ptr %.805.i.i226, i64 %336
+  %scevgep7.i.i = getelementptr i8, ptr %.805.i.i224, i64 %314
   br label %B174.if.i.i.i
 
 B214.i.i.i:                                       ; preds = %B174.if.i.i.i
-  %scevgep8.i.i231 = getelementptr i8, ptr %scevgep7.i.i, i64 %lsr.iv133.i.i.i
-  %.478.i.i.i = load <8 x double>, ptr %scevgep8.i.i231, align 8, !noalias !108
+  %scevgep8.i.i228 = getelementptr i8, ptr %scevgep7.i.i, i64 %lsr.iv133.i.i.i
+  %.478.i.i.i = load <8 x double>, ptr %scevgep8.i.i228, align 8, !noalias !109
   br label %B274.i.i.i
 
 B274.i.i.i:                                       ; preds = %B174.if.i.i.i, %B214.i.i.i
@@ -4724,45 +4753,45 @@ B274.i.i.i:                                       ; preds = %B174.if.i.i.i, %B21
   %.6.i107.i.i.i = fadd contract <8 x double> %.8.i103.i.i.i, %.8.i106.i.i.i
   %scevgep269.i.i = getelementptr i8, ptr %lsr.iv.i78.i, i64 %lsr.iv133.i.i.i
   %scevgep270.i.i = getelementptr i8, ptr %scevgep269.i.i, i64 -1024
-  %.678.i.i.i = load <8 x double>, ptr %scevgep270.i.i, align 8, !noalias !108
-  %.689.i.i83.i = load <8 x double>, ptr %scevgep269.i.i, align 8, !noalias !108
+  %.678.i.i.i = load <8 x double>, ptr %scevgep270.i.i, align 8, !noalias !109
+  %.689.i.i83.i = load <8 x double>, ptr %scevgep269.i.i, align 8, !noalias !109
   %sunkaddr.i84.i = getelementptr i8, ptr %.432, i64 %lsr.iv133.i.i.i
   %sunkaddr13.i85.i = getelementptr i8, ptr %sunkaddr.i84.i, i64 6144
-  %.700.i.i.i = load <8 x double>, ptr %sunkaddr13.i85.i, align 8, !noalias !108
+  %.700.i.i.i = load <8 x double>, ptr %sunkaddr13.i85.i, align 8, !noalias !109
   %.6.i111.i.i.i = fmul contract <8 x double> %.689.i.i83.i, %.6.i107.i.i.i
   %.725.i.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i100.i.i.i, <8 x double> %.678.i.i.i, <8 x double> %.6.i111.i.i.i)
   %.6.i112.i.i.i = fadd contract <8 x double> %.700.i.i.i, %.725.i.i.i
-  store <8 x double> %.6.i112.i.i.i, ptr %sunkaddr13.i85.i, align 8, !noalias !108
+  store <8 x double> %.6.i112.i.i.i, ptr %sunkaddr13.i85.i, align 8, !noalias !109
   %sunkaddr15.i86.i = getelementptr i8, ptr %sunkaddr.i84.i, i64 7168
-  %.771.i.i.i = load <8 x double>, ptr %sunkaddr15.i86.i, align 8, !noalias !108
+  %.771.i.i.i = load <8 x double>, ptr %sunkaddr15.i86.i, align 8, !noalias !109
   %.6.i113.i.i.i = fmul contract <8 x double> %.678.i.i.i, %.6.i107.i.i.i
   %.6.i114.i.i.i = fmul contract <8 x double> %.6.i100.i.i.i, %.689.i.i83.i
   %.6.i115.i.i.i = fsub contract <8 x double> %.6.i113.i.i.i, %.6.i114.i.i.i
   %.6.i116.i.i.i = fadd contract <8 x double> %.6.i115.i.i.i, %.771.i.i.i
-  store <8 x double> %.6.i116.i.i.i, ptr %sunkaddr15.i86.i, align 8, !noalias !108
+  store <8 x double> %.6.i116.i.i.i, ptr %sunkaddr15.i86.i, align 8, !noalias !109
   %lsr.iv.next134.i.i.i = add i64 %lsr.iv133.i.i.i, 64
   %lsr.iv.next.i87.i = add nsw i64 %lsr.iv2.i.i, -1
   %.411.i.i.i = icmp sgt i64 %lsr.iv2.i.i, 6
   br i1 %.411.i.i.i, label %B174.if.i.i.i, label %B836.i.i
 
 B174.if.i.i.i:                                    ; preds = %B274.i.i.i, %B174.if.preheader.i.i.i
-  %lsr.iv2.i.i = phi i64 [ %lsr.iv.next.i87.i, %B274.i.i.i ], [ %270, %B174.if.preheader.i.i.i ]
+  %lsr.iv2.i.i = phi i64 [ %lsr.iv.next.i87.i, %B274.i.i.i ], [ %248, %B174.if.preheader.i.i.i ]
   %lsr.iv133.i.i.i = phi i64 [ %lsr.iv.next134.i.i.i, %B274.i.i.i ], [ 0, %B174.if.preheader.i.i.i ]
-  %scevgep140.i.i.i = getelementptr i8, ptr %.805.i.i226, i64 %lsr.iv133.i.i.i
-  %.462.i.i.i = load <8 x double>, ptr %scevgep140.i.i.i, align 8, !noalias !108
-  br i1 %334, label %B274.i.i.i, label %B214.i.i.i
+  %scevgep140.i.i.i = getelementptr i8, ptr %.805.i.i224, i64 %lsr.iv133.i.i.i
+  %.462.i.i.i = load <8 x double>, ptr %scevgep140.i.i.i, align 8, !noalias !109
+  br i1 %312, label %B274.i.i.i, label %B214.i.i.i
 
 B174.if.preheader.i117.i.i:                       ; preds = %B836.i.i
   %.6.i.i118.i.i = insertelement <8 x double> poison, double %.889.i79.i, i64 0
   %.7.i.i119.i.i = shufflevector <8 x double> %.6.i.i118.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %.6.i97.i120.i.i = insertelement <8 x double> poison, double %.922.i.i229, i64 0
+  %.6.i97.i120.i.i = insertelement <8 x double> poison, double %.922.i.i226, i64 0
   %.7.i98.i121.i.i = shufflevector <8 x double> %.6.i97.i120.i.i, <8 x double> poison, <8 x i32> zeroinitializer
-  %scevgep13.i.i232 = getelementptr i8, ptr %.805.i.i226, i64 %336
+  %scevgep13.i.i229 = getelementptr i8, ptr %.805.i.i224, i64 %314
   br label %B174.if.i122.i.i
 
 B214.i127.i.i:                                    ; preds = %B174.if.i122.i.i
-  %scevgep14.i.i233 = getelementptr i8, ptr %scevgep13.i.i232, i64 %lsr.iv133.i123.i.i
-  %.478.i129.i.i = load <8 x double>, ptr %scevgep14.i.i233, align 8, !noalias !111
+  %scevgep14.i.i = getelementptr i8, ptr %scevgep13.i.i229, i64 %lsr.iv133.i123.i.i
+  %.478.i129.i.i = load <8 x double>, ptr %scevgep14.i.i, align 8, !noalias !112
   br label %B274.i130.i.i
 
 B274.i130.i.i:                                    ; preds = %B174.if.i122.i.i, %B214.i127.i.i
@@ -4776,38 +4805,38 @@ B274.i130.i.i:                                    ; preds = %B174.if.i122.i.i, %
   %.8.i110.i.i.i = fneg contract <8 x double> %.6.i107.i137.i.i
   %scevgep278.i.i = getelementptr i8, ptr %lsr.iv275.i.i, i64 %lsr.iv133.i123.i.i
   %scevgep279.i.i = getelementptr i8, ptr %scevgep278.i.i, i64 -1024
-  %.678.i139.i.i = load <8 x double>, ptr %scevgep279.i.i, align 8, !noalias !111
-  %.689.i141.i.i = load <8 x double>, ptr %scevgep278.i.i, align 8, !noalias !111
+  %.678.i139.i.i = load <8 x double>, ptr %scevgep279.i.i, align 8, !noalias !112
+  %.689.i141.i.i = load <8 x double>, ptr %scevgep278.i.i, align 8, !noalias !112
   %sunkaddr16.i89.i = getelementptr i8, ptr %.432, i64 %lsr.iv133.i123.i.i
   %sunkaddr17.i90.i = getelementptr i8, ptr %sunkaddr16.i89.i, i64 6144
-  %.700.i144.i.i = load <8 x double>, ptr %sunkaddr17.i90.i, align 8, !noalias !111
+  %.700.i144.i.i = load <8 x double>, ptr %sunkaddr17.i90.i, align 8, !noalias !112
   %.6.i111.i145.i.i = fmul contract <8 x double> %.689.i141.i.i, %.8.i110.i.i.i
   %.725.i146.i.i = tail call <8 x double> @llvm.fma.v8f64(<8 x double> %.6.i100.i134.i.i, <8 x double> %.678.i139.i.i, <8 x double> %.6.i111.i145.i.i)
   %.6.i112.i147.i.i = fadd contract <8 x double> %.700.i144.i.i, %.725.i146.i.i
-  store <8 x double> %.6.i112.i147.i.i, ptr %sunkaddr17.i90.i, align 8, !noalias !111
+  store <8 x double> %.6.i112.i147.i.i, ptr %sunkaddr17.i90.i, align 8, !noalias !112
   %sunkaddr19.i91.i = getelementptr i8, ptr %sunkaddr16.i89.i, i64 7168
-  %.771.i149.i.i = load <8 x double>, ptr %sunkaddr19.i91.i, align 8, !noalias !111
+  %.771.i149.i.i = load <8 x double>, ptr %sunkaddr19.i91.i, align 8, !noalias !112
   %.6.i113.i150.i.i = fmul contract <8 x double> %.678.i139.i.i, %.8.i110.i.i.i
   %.6.i114.i151.i.i = fmul contract <8 x double> %.6.i100.i134.i.i, %.689.i141.i.i
   %.6.i115.i152.i.i = fsub contract <8 x double> %.6.i113.i150.i.i, %.6.i114.i151.i.i
   %.6.i116.i153.i.i = fadd contract <8 x double> %.6.i115.i152.i.i, %.771.i149.i.i
-  store <8 x double> %.6.i116.i153.i.i, ptr %sunkaddr19.i91.i, align 8, !noalias !111
+  store <8 x double> %.6.i116.i153.i.i, ptr %sunkaddr19.i91.i, align 8, !noalias !112
   %lsr.iv.next134.i155.i.i = add i64 %lsr.iv133.i123.i.i, 64
   %lsr.iv.next8.i92.i = add nsw i64 %lsr.iv7.i88.i, -1
   %.411.i156.i.i = icmp sgt i64 %lsr.iv7.i88.i, 6
   br i1 %.411.i156.i.i, label %B174.if.i122.i.i, label %B1078.i.i
 
 B174.if.i122.i.i:                                 ; preds = %B274.i130.i.i, %B174.if.preheader.i117.i.i
-  %lsr.iv7.i88.i = phi i64 [ %lsr.iv.next8.i92.i, %B274.i130.i.i ], [ %270, %B174.if.preheader.i117.i.i ]
+  %lsr.iv7.i88.i = phi i64 [ %lsr.iv.next8.i92.i, %B274.i130.i.i ], [ %248, %B174.if.preheader.i117.i.i ]
   %lsr.iv133.i123.i.i = phi i64 [ %lsr.iv.next134.i155.i.i, %B274.i130.i.i ], [ 0, %B174.if.preheader.i117.i.i ]
-  %scevgep140.i125.i.i = getelementptr i8, ptr %.805.i.i226, i64 %lsr.iv133.i123.i.i
-  %.462.i126.i.i = load <8 x double>, ptr %scevgep140.i125.i.i, align 8, !noalias !111
-  br i1 %334, label %B274.i130.i.i, label %B214.i127.i.i
+  %scevgep140.i125.i.i = getelementptr i8, ptr %.805.i.i224, i64 %lsr.iv133.i123.i.i
+  %.462.i126.i.i = load <8 x double>, ptr %scevgep140.i125.i.i, align 8, !noalias !112
+  br i1 %312, label %B274.i130.i.i, label %B214.i127.i.i
 
-_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B290.loopexit.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v305B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i
+_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i: ; preds = %B290.loopexit.i.i, %_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v318B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE.exit.i
   br i1 %brmerge.not.i, label %B268.if.i.i, label %B1158.i
 
-_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1406.i, %_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v533B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
+_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v146B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit: ; preds = %B1406.i, %_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE.exit.i
   call void @llvm.lifetime.end.p0(ptr nonnull %.869.i)
   call void @llvm.lifetime.end.p0(ptr nonnull %.904.i)
   %.1219 = add nuw nsw i64 %.1212877881, 1
@@ -4867,12 +4896,12 @@ entry:
   %.3743 = getelementptr inbounds nuw i8, ptr %arg.own.4, i64 20480
   %.3891 = getelementptr inbounds nuw i8, ptr %arg.own.4, i64 21504
   %.599191 = icmp sgt i64 %arg.size, 0
-  br i1 %.599191, label %B380, label %B5328
+  br i1 %.599191, label %B380, label %B5388
 
-B380:                                             ; preds = %entry, %B5327
-  %lsr.iv = phi i64 [ %lsr.iv.next, %B5327 ], [ 1, %entry ]
-  %.589.sroa.0.0196 = phi i64 [ %.589.sroa.0.0, %B5327 ], [ 0, %entry ]
-  %.546.1195.in = phi i64 [ %33, %B5327 ], [ %arg.size, %entry ]
+B380:                                             ; preds = %entry, %B5387
+  %lsr.iv = phi i64 [ %lsr.iv.next, %B5387 ], [ 1, %entry ]
+  %.589.sroa.0.0196 = phi i64 [ %.589.sroa.0.0, %B5387 ], [ 0, %entry ]
+  %.546.1195.in = phi i64 [ %33, %B5387 ], [ %arg.size, %entry ]
   %.654 = icmp slt i64 %.589.sroa.0.0196, 0
   %.655 = select i1 %.654, i64 128, i64 0
   %4 = getelementptr double, ptr %.354, i64 %.589.sroa.0.0196
@@ -4902,9 +4931,9 @@ B380:                                             ; preds = %entry, %B5327
   %.853 = fmul contract double %.841, %.851
   %.859 = fmul contract double %.853, %.853
   %.959 = fcmp contract olt double %.859, 0x3EB0C6F7A0B5ED8D
-  br i1 %.959, label %B1030.endif, label %B5173
+  br i1 %.959, label %B1030.endif, label %B5233
 
-B5173:                                            ; preds = %B380
+B5233:                                            ; preds = %B380
   %.865 = tail call contract double @llvm.fma.f64(double %.853, double 0x3FE45F306DC9C883, double 0x4338000000000000)
   %.914 = bitcast double %.865 to i64
   %.923 = shl i64 %.914, 62
@@ -4946,18 +4975,18 @@ B5173:                                            ; preds = %B380
   %.1012 = fdiv contract double %.928, %.853
   %.1022 = fsub contract double %.931, %.1012
   %.1029 = fdiv contract double %.1022, %.853
-  br label %B5211
+  br label %B5271
 
-B5211:                                            ; preds = %B1030.endif, %B5173
-  %_transfer_v184__v34call_7.2.sroa.8.1 = phi double [ %.980, %B1030.endif ], [ %.1029, %B5173 ]
-  %_transfer_v184__v34call_7.2.sroa.0.1 = phi double [ %.970, %B1030.endif ], [ %.1012, %B5173 ]
+B5271:                                            ; preds = %B1030.endif, %B5233
+  %_transfer_v199__v34call_7.2.sroa.8.1 = phi double [ %.980, %B1030.endif ], [ %.1029, %B5233 ]
+  %_transfer_v199__v34call_7.2.sroa.0.1 = phi double [ %.970, %B1030.endif ], [ %.1012, %B5233 ]
   %.1072 = fadd contract double %.801, 1.000000e+00
   %.1074 = fmul contract double %.841, %.1072
   %.1080 = fmul contract double %.1074, %.1074
   %.1180 = fcmp contract olt double %.1080, 0x3EB0C6F7A0B5ED8D
-  br i1 %.1180, label %B5212.endif, label %B5289
+  br i1 %.1180, label %B5272.endif, label %B5349
 
-B5289:                                            ; preds = %B5211
+B5349:                                            ; preds = %B5271
   %.1086 = tail call contract double @llvm.fma.f64(double %.1074, double 0x3FE45F306DC9C883, double 0x4338000000000000)
   %.1135 = bitcast double %.1086 to i64
   %.1144 = shl i64 %.1135, 62
@@ -4999,11 +5028,11 @@ B5289:                                            ; preds = %B5211
   %.1233 = fdiv contract double %.1149, %.1074
   %.1243 = fsub contract double %.1152, %.1233
   %.1250 = fdiv contract double %.1243, %.1074
-  br label %B5327
+  br label %B5387
 
-B5327:                                            ; preds = %B5212.endif, %B5289
-  %_transfer_v184__v82call_18.2.sroa.8.1 = phi double [ %.1201, %B5212.endif ], [ %.1250, %B5289 ]
-  %_transfer_v184__v82call_18.2.sroa.0.1 = phi double [ %.1191, %B5212.endif ], [ %.1233, %B5289 ]
+B5387:                                            ; preds = %B5272.endif, %B5349
+  %_transfer_v199__v82call_18.2.sroa.8.1 = phi double [ %.1201, %B5272.endif ], [ %.1250, %B5349 ]
+  %_transfer_v199__v82call_18.2.sroa.0.1 = phi double [ %.1191, %B5272.endif ], [ %.1233, %B5349 ]
   %.1287 = tail call contract double @llvm.fma.f64(double %.841, double 0x3FE45F306DC9C883, double 0x4338000000000000)
   %.1288 = fadd contract double %.1287, 0xC338000000000000
   %.1303 = tail call contract double @llvm.fma.f64(double %.1288, double 0xBFF921FB54442D18, double %.841)
@@ -5043,16 +5072,16 @@ B5327:                                            ; preds = %B5212.endif, %B5289
   %.1352 = xor i64 %15, %.1342
   %.1353 = bitcast i64 %.1352 to double
   %.1374 = fmul contract double %.1353, 5.000000e-01
-  %.1376 = fadd contract double %_transfer_v184__v34call_7.2.sroa.0.1, %_transfer_v184__v82call_18.2.sroa.0.1
+  %.1376 = fadd contract double %_transfer_v199__v34call_7.2.sroa.0.1, %_transfer_v199__v82call_18.2.sroa.0.1
   %.1377 = fmul contract double %.1374, %.1376
   %.1378 = fmul contract double %.1350, 5.000000e-01
-  %.1380 = fsub contract double %_transfer_v184__v34call_7.2.sroa.0.1, %_transfer_v184__v82call_18.2.sroa.0.1
+  %.1380 = fsub contract double %_transfer_v199__v34call_7.2.sroa.0.1, %_transfer_v199__v82call_18.2.sroa.0.1
   %.1383 = fmul contract double %.1378, %.1380
   %.1386 = fmul contract double %.841, %.1374
-  %.1388 = fsub contract double %_transfer_v184__v34call_7.2.sroa.8.1, %_transfer_v184__v82call_18.2.sroa.8.1
+  %.1388 = fsub contract double %_transfer_v199__v34call_7.2.sroa.8.1, %_transfer_v199__v82call_18.2.sroa.8.1
   %.1389 = fmul contract double %.1386, %.1388
   %.1392 = fmul contract double %.841, %.1378
-  %.1394 = fadd contract double %_transfer_v184__v34call_7.2.sroa.8.1, %_transfer_v184__v82call_18.2.sroa.8.1
+  %.1394 = fadd contract double %_transfer_v199__v34call_7.2.sroa.8.1, %_transfer_v199__v82call_18.2.sroa.8.1
   %.1397 = fmul contract double %.1392, %.1394
   %.1402 = fmul contract double %.841, %.801
   %.1405 = tail call contract double @llvm.fma.f64(double %.1402, double 0x3FE45F306DC9C883, double 0x4338000000000000)
@@ -5253,9 +5282,9 @@ B5327:                                            ; preds = %B5212.endif, %B5289
   %33 = add nsw i64 %32, -1
   %.589.sroa.0.0 = select i1 %.599, i64 %lsr.iv, i64 0
   %lsr.iv.next = add i64 %lsr.iv, 1
-  br i1 %.599, label %B380, label %B5328
+  br i1 %.599, label %B380, label %B5388
 
-B5328:                                            ; preds = %B5327, %entry
+B5388:                                            ; preds = %B5387, %entry
   store ptr null, ptr %retptr, align 8
   ret void
 
@@ -5265,15 +5294,15 @@ B1030.endif:                                      ; preds = %B380
   %.975 = fdiv contract double %.859, 3.000000e+01
   %.978 = fadd contract double %.975, 0xBFD5555555555555
   %.980 = fmul contract double %.853, %.978
-  br label %B5211
+  br label %B5271
 
-B5212.endif:                                      ; preds = %B5211
+B5272.endif:                                      ; preds = %B5271
   %.1190 = fdiv contract double %.1080, 6.000000e+00
   %.1191 = fsub contract double 1.000000e+00, %.1190
   %.1196 = fdiv contract double %.1080, 3.000000e+01
   %.1199 = fadd contract double %.1196, 0xBFD5555555555555
   %.1201 = fmul contract double %.1074, %.1199
-  br label %B5327
+  br label %B5387
 }
 
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
@@ -5620,7 +5649,7 @@ declare double @llvm.fma.f64(double, double, double) #2
 declare { i64, i1 } @llvm.uadd.with.overflow.i64(i64, i64) #2
 
 ; Function Attrs: mustprogress nocallback nocreateundeforpoison nofree nosync nounwind speculatable willreturn memory(none)
-declare double @llvm.sqrt.f64(double) #2
+declare <8 x double> @llvm.sqrt.v8f64(<8 x double>) #2
 
 ; Function Attrs: mustprogress nocallback nofree nosync nounwind willreturn memory(none)
 declare double @sqrt(double) local_unnamed_addr #5
@@ -5636,20 +5665,20 @@ attributes #4 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 attributes #5 = { mustprogress nocallback nofree nosync nounwind willreturn memory(none) }
 
 !0 = !{!1}
-!1 = distinct !{!1, !2, !"_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!2 = distinct !{!2, !"_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v544B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!1 = distinct !{!1, !2, !"_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!2 = distinct !{!2, !"_ZN17bnserve_inference14adjoint_kernel7_source11_block_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !3 = !{!4, !1}
-!4 = distinct !{!4, !5, !"_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!5 = distinct !{!5, !"_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v557B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!4 = distinct !{!4, !5, !"_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v570B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!5 = distinct !{!5, !"_ZN17bnserve_inference14adjoint_kernel5_back10waves_backB4v570B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
 !6 = !{!7}
-!7 = distinct !{!7, !8, !"_ZN17bnserve_inference14adjoint_kernel7_source9_sky_backB4v584B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!8 = distinct !{!8, !"_ZN17bnserve_inference14adjoint_kernel7_source9_sky_backB4v584B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!7 = distinct !{!7, !8, !"_ZN17bnserve_inference14adjoint_kernel7_source9_sky_backB4v597B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!8 = distinct !{!8, !"_ZN17bnserve_inference14adjoint_kernel7_source9_sky_backB4v597B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !9 = !{!10}
-!10 = distinct !{!10, !11, !"_ZN17bnserve_inference14adjoint_kernel8_passing12passing_backB4v589B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!11 = distinct !{!11, !"_ZN17bnserve_inference14adjoint_kernel8_passing12passing_backB4v589B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!10 = distinct !{!10, !11, !"_ZN17bnserve_inference14adjoint_kernel8_passing12passing_backB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!11 = distinct !{!11, !"_ZN17bnserve_inference14adjoint_kernel8_passing12passing_backB4v602B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
 !12 = !{!13, !10}
-!13 = distinct !{!13, !14, !"_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v600B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!14 = distinct !{!14, !"_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v600B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE"}
+!13 = distinct !{!13, !14, !"_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v613B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!14 = distinct !{!14, !"_ZN17bnserve_inference14adjoint_kernel8_passing10_turn_backB4v613B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIxLi1E1C7mutable7alignedExx8UniTupleIdLi3EE5ArrayIdLi1E1C7mutable7alignedE"}
 !15 = !{!16}
 !16 = distinct !{!16, !17, !"_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
 !17 = distinct !{!17, !"_ZN17bnserve_inference14adjoint_kernel7_source6_placeB3v14B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
@@ -5662,90 +5691,91 @@ attributes #5 = { mustprogress nocallback nofree nosync nounwind willreturn memo
 !24 = !{!25}
 !25 = distinct !{!25, !26, !"_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE: %retptr"}
 !26 = distinct !{!26, !"_ZN17bnserve_inference13moving_kernel8_passing12find_passingB3v57B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIxLi1E1C7mutable7alignedE"}
-!27 = distinct !{!27, !28}
-!28 = !{!"llvm.loop.unroll.disable"}
-!29 = !{!30, !25}
-!30 = distinct !{!30, !31, !"_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v72B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!31 = distinct !{!31, !"_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v72B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!32 = distinct !{!32, !28}
-!33 = !{!34}
-!34 = distinct !{!34, !35, !"_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v75B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!35 = distinct !{!35, !"_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v75B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!36 = distinct !{!36, !28}
-!37 = distinct !{!37, !28}
-!38 = !{!39, !34}
-!39 = distinct !{!39, !40, !"_ZN17bnserve_inference14adjoint_kernel7_source6_beginB3v94B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdxx: %retptr"}
-!40 = distinct !{!40, !"_ZN17bnserve_inference14adjoint_kernel7_source6_beginB3v94B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdxx"}
-!41 = distinct !{!41, !28}
-!42 = distinct !{!42, !28}
-!43 = distinct !{!43, !28}
-!44 = distinct !{!44, !28}
-!45 = distinct !{!45, !28}
-!46 = distinct !{!46, !28}
-!47 = !{!48, !34}
-!48 = distinct !{!48, !49, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_modeB4v116B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEdddx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!49 = distinct !{!49, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_modeB4v116B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEdddx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!50 = !{!51}
-!51 = distinct !{!51, !52, !"_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!52 = distinct !{!52, !"_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v129B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!53 = !{!54, !51}
-!54 = distinct !{!54, !55, !"_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!55 = distinct !{!55, !"_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v142B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!56 = distinct !{!56, !28}
-!57 = !{!58, !54, !51}
-!58 = distinct !{!58, !59, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!59 = distinct !{!59, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
-!60 = !{!"branch_weights", i32 1, i32 99}
-!61 = !{!"branch_weights", i32 99, i32 1}
-!62 = !{!63, !54, !51}
-!63 = distinct !{!63, !64, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!64 = distinct !{!64, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v157B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
-!65 = !{!66, !51}
-!66 = distinct !{!66, !67, !"_ZN17bnserve_inference14adjoint_kernel9_standing16respond_standingB4v160B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!67 = distinct !{!67, !"_ZN17bnserve_inference14adjoint_kernel9_standing16respond_standingB4v160B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!68 = !{!69, !51}
-!69 = distinct !{!69, !70, !"_ZN17bnserve_inference14adjoint_kernel9_response14clear_patternsB4v180B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!70 = distinct !{!70, !"_ZN17bnserve_inference14adjoint_kernel9_response14clear_patternsB4v180B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE"}
-!71 = !{!72, !51}
-!72 = distinct !{!72, !73, !"_ZN17bnserve_inference14adjoint_kernel9_response14short_patternsB4v240B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!73 = distinct !{!73, !"_ZN17bnserve_inference14adjoint_kernel9_response14short_patternsB4v240B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
-!74 = !{!75, !51}
-!75 = distinct !{!75, !76, !"_ZN17bnserve_inference14adjoint_kernel5_sums7respondB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEddxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!76 = distinct !{!76, !"_ZN17bnserve_inference14adjoint_kernel5_sums7respondB4v266B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEddxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!77 = !{!78, !51}
-!78 = distinct !{!78, !79, !"_ZN17bnserve_inference14adjoint_kernel5_back11errors_backB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!79 = distinct !{!79, !"_ZN17bnserve_inference14adjoint_kernel5_back11errors_backB4v388B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!80 = !{!81, !51}
-!81 = distinct !{!81, !82, !"_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v406B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!82 = distinct !{!82, !"_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v406B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!83 = !{!84, !51}
-!84 = distinct !{!84, !85, !"_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!85 = distinct !{!85, !"_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v451B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!86 = !{!87, !51}
-!87 = distinct !{!87, !88, !"_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v533B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!88 = distinct !{!88, !"_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v533B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!89 = !{!90, !51}
-!90 = distinct !{!90, !91, !"_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v305B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!91 = distinct !{!91, !"_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v305B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE"}
-!92 = !{!93, !90, !51}
-!93 = distinct !{!93, !94, !"_ZN17bnserve_inference6kernel5_sums9spline_atB4v339B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi1E1C7mutable7alignedExxx: %retptr"}
-!94 = distinct !{!94, !"_ZN17bnserve_inference6kernel5_sums9spline_atB4v339B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi1E1C7mutable7alignedExxx"}
-!95 = !{!96, !98, !90, !51}
-!96 = distinct !{!96, !97, !"_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!97 = distinct !{!97, !"_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!98 = distinct !{!98, !97, !"_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v316B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
-!99 = !{!100, !90, !51}
-!100 = distinct !{!100, !101, !"_ZN17bnserve_inference14adjoint_kernel5_sums9add_fixedB4v323B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!101 = distinct !{!101, !"_ZN17bnserve_inference14adjoint_kernel5_sums9add_fixedB4v323B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
-!102 = !{!103, !90, !51}
-!103 = distinct !{!103, !104, !"_ZN17bnserve_inference14adjoint_kernel5_sums11add_splinedB4v342B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE8UniTupleIdLi6EEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!104 = distinct !{!104, !"_ZN17bnserve_inference14adjoint_kernel5_sums11add_splinedB4v342B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE8UniTupleIdLi6EEx5ArrayIdLi1E1C7mutable7alignedE"}
-!105 = !{!106, !51}
-!106 = distinct !{!106, !107, !"_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!107 = distinct !{!107, !"_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v363B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
-!108 = !{!109, !106, !51}
-!109 = distinct !{!109, !110, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!110 = distinct !{!110, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE"}
-!111 = !{!112, !106, !51}
-!112 = distinct !{!112, !113, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
-!113 = distinct !{!113, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v383B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE"}
+!27 = !{!28, !25}
+!28 = distinct !{!28, !29, !"_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v73B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!29 = distinct !{!29, !"_ZN17bnserve_inference13moving_kernel8_passing6_turnsB3v73B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!30 = distinct !{!30, !31}
+!31 = !{!"llvm.loop.unroll.disable"}
+!32 = distinct !{!32, !33}
+!33 = !{!"llvm.loop.peeled.count", i32 1}
+!34 = !{!35}
+!35 = distinct !{!35, !36, !"_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v94B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!36 = distinct !{!36, !"_ZN17bnserve_inference14adjoint_kernel7_source9_polariseB3v94B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!37 = distinct !{!37, !31}
+!38 = distinct !{!38, !31}
+!39 = !{!40, !35}
+!40 = distinct !{!40, !41, !"_ZN17bnserve_inference14adjoint_kernel7_source6_beginB4v113B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdxx: %retptr"}
+!41 = distinct !{!41, !"_ZN17bnserve_inference14adjoint_kernel7_source6_beginB4v113B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEdxx"}
+!42 = distinct !{!42, !31}
+!43 = distinct !{!43, !31}
+!44 = distinct !{!44, !31}
+!45 = distinct !{!45, !31}
+!46 = distinct !{!46, !31}
+!47 = distinct !{!47, !31}
+!48 = !{!49, !35}
+!49 = distinct !{!49, !50, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_modeB4v133B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEdddx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!50 = distinct !{!50, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_modeB4v133B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEdddx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!51 = !{!52}
+!52 = distinct !{!52, !53, !"_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v146B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!53 = distinct !{!53, !"_ZN17bnserve_inference14adjoint_kernel7_source12_in_detectorB4v146B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!54 = !{!55, !52}
+!55 = distinct !{!55, !56, !"_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v159B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!56 = distinct !{!56, !"_ZN17bnserve_inference14adjoint_kernel7_source10_calibrateB4v159B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!57 = distinct !{!57, !31}
+!58 = !{!59, !55, !52}
+!59 = distinct !{!59, !60, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!60 = distinct !{!60, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!61 = !{!"branch_weights", i32 1, i32 99}
+!62 = !{!"branch_weights", i32 99, i32 1}
+!63 = !{!64, !55, !52}
+!64 = distinct !{!64, !65, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!65 = distinct !{!65, !"_ZN17bnserve_inference6kernel5_sums9errors_atB4v174B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedExx5ArrayIdLi1E1C7mutable7alignedE"}
+!66 = !{!67, !52}
+!67 = distinct !{!67, !68, !"_ZN17bnserve_inference14adjoint_kernel9_standing16respond_standingB4v175B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!68 = distinct !{!68, !"_ZN17bnserve_inference14adjoint_kernel9_standing16respond_standingB4v175B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!69 = !{!70, !52}
+!70 = distinct !{!70, !71, !"_ZN17bnserve_inference14adjoint_kernel9_response14clear_patternsB4v195B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!71 = distinct !{!71, !"_ZN17bnserve_inference14adjoint_kernel9_response14clear_patternsB4v195B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE"}
+!72 = !{!73, !52}
+!73 = distinct !{!73, !74, !"_ZN17bnserve_inference14adjoint_kernel9_response14short_patternsB4v255B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!74 = distinct !{!74, !"_ZN17bnserve_inference14adjoint_kernel9_response14short_patternsB4v255B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!75 = !{!76, !52}
+!76 = distinct !{!76, !77, !"_ZN17bnserve_inference14adjoint_kernel5_sums7respondB4v280B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEddxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!77 = distinct !{!77, !"_ZN17bnserve_inference14adjoint_kernel5_sums7respondB4v280B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEddxx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!78 = !{!79, !52}
+!79 = distinct !{!79, !80, !"_ZN17bnserve_inference14adjoint_kernel5_back11errors_backB4v401B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!80 = distinct !{!80, !"_ZN17bnserve_inference14adjoint_kernel5_back11errors_backB4v401B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!81 = !{!82, !52}
+!82 = distinct !{!82, !83, !"_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v419B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!83 = distinct !{!83, !"_ZN17bnserve_inference14adjoint_kernel9_standing18pull_back_standingB4v419B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!84 = !{!85, !52}
+!85 = distinct !{!85, !86, !"_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v464B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!86 = distinct !{!86, !"_ZN17bnserve_inference14adjoint_kernel5_back9pull_backB4v464B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!87 = !{!88, !52}
+!88 = distinct !{!88, !89, !"_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!89 = distinct !{!89, !"_ZN17bnserve_inference14adjoint_kernel5_back15errors_to_nodesB4v546B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!90 = !{!91, !52}
+!91 = distinct !{!91, !92, !"_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v318B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!92 = distinct !{!92, !"_ZN17bnserve_inference14adjoint_kernel7_source16_through_weightsB4v318B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE"}
+!93 = !{!94, !91, !52}
+!94 = distinct !{!94, !95, !"_ZN17bnserve_inference6kernel5_sums9spline_atB4v352B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi1E1C7mutable7alignedExxx: %retptr"}
+!95 = distinct !{!95, !"_ZN17bnserve_inference6kernel5_sums9spline_atB4v352B86c8tJTIeFIjxB2IKSgI4CrvQCk0Z4yRYcWsCAgXrKFt1X1erJ_2bXklRYnJJeq1msDALYIZgpSqwCKaAA_3d_3dEd5ArrayIdLi1E1C7mutable7alignedExxx"}
+!96 = !{!97, !99, !91, !52}
+!97 = distinct !{!97, !98, !"_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!98 = distinct !{!98, !"_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!99 = distinct !{!99, !98, !"_ZN17bnserve_inference14adjoint_kernel7_source10_fill_barsB4v329B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %excinfo"}
+!100 = !{!101, !91, !52}
+!101 = distinct !{!101, !102, !"_ZN17bnserve_inference14adjoint_kernel5_sums9add_fixedB4v336B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!102 = distinct !{!102, !"_ZN17bnserve_inference14adjoint_kernel5_sums9add_fixedB4v336B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEx5ArrayIdLi1E1C7mutable7alignedE"}
+!103 = !{!104, !91, !52}
+!104 = distinct !{!104, !105, !"_ZN17bnserve_inference14adjoint_kernel5_sums11add_splinedB4v355B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE8UniTupleIdLi6EEx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!105 = distinct !{!105, !"_ZN17bnserve_inference14adjoint_kernel5_sums11add_splinedB4v355B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedEd5ArrayIdLi1E1C7mutable7alignedE8UniTupleIxLi3EE8UniTupleIdLi6EE8UniTupleIdLi6EEx5ArrayIdLi1E1C7mutable7alignedE"}
+!106 = !{!107, !52}
+!107 = distinct !{!107, !108, !"_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!108 = distinct !{!108, !"_ZN17bnserve_inference14adjoint_kernel7_source14_through_pairsB4v376B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBExxxxx5ArrayIxLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE"}
+!109 = !{!110, !107, !52}
+!110 = distinct !{!110, !111, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v396B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!111 = distinct !{!111, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v396B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE"}
+!112 = !{!113, !107, !52}
+!113 = distinct !{!113, !114, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v396B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE: %retptr"}
+!114 = distinct !{!114, !"_ZN17bnserve_inference14adjoint_kernel5_sums8add_pairB4v396B86c8tJTIeFIjxB2IKSgI4CrvSCKg1MMbCQQPKkLTj8gEEF9aYtuj_2br1ZPz80qKEpNL1Gs1gcFdBDMWKZ2BRTQBE5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedE5TupleI5ArrayIdLi1E1C7mutable7alignedE5ArrayIdLi1E1C7mutable7alignedEbddEdx5ArrayIdLi1E1C7mutable7alignedE"}

@@ -16,7 +16,7 @@ from bnserve_surrogate.kernel import build
 def sources() -> list[Path]:
     """Everything that the contraction is compiled from."""
     theirs = Path(build.__file__).parent
-    return [ASSEMBLY.with_name(name) for name in ("_layout.py", "_source.py", "_sums.py")] + [
+    return [ASSEMBLY.with_name(name) for name in ("_lanes.py", "_layout.py", "_source.py", "_sums.py")] + [
         theirs / name for name in ("_layout.py", "_math.py", "_memory.py", "_simd.py")
     ]
 

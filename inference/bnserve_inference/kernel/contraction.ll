@@ -1,4 +1,4 @@
-; sources: af07547f66637c7b08b62bd68f626b9aa40147f050e82fb5b1df44c85e16b2d7
+; sources: 2c3c4ec8c2fc98c881382f269a1086975b8d9e03e127a26d06c76f4bb30e6747
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"

@@ -11,9 +11,10 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from bnserve_inference.kernel._lanes import larger, root, size_of
 from bnserve_inference.kernel._sums import Floats, Integers
 from bnserve_inference.marginal_kernel._distance import is_normal, over_distances
-from bnserve_inference.marginal_kernel._functions import fading, larger, logarithm, nearest_cell, root, size_of
+from bnserve_inference.marginal_kernel._functions import fading, logarithm, nearest_cell
 from bnserve_inference.marginal_kernel._layout import CELL, PHASES, ROOM, ROWS_OF_WAITING, STACK, Argument, Prior
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, exponential, sincos

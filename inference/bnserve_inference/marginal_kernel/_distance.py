@@ -8,8 +8,9 @@ from __future__ import annotations
 
 from numba import njit
 
+from bnserve_inference.kernel._lanes import root
 from bnserve_inference.kernel._sums import Floats, Integers, lane_sum
-from bnserve_inference.marginal_kernel._functions import fading, logarithm, nearest_cell, root
+from bnserve_inference.marginal_kernel._functions import fading, logarithm, nearest_cell
 from bnserve_inference.marginal_kernel._layout import CELL, MOST_NODES, Argument, Phase, Prior
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, exponential

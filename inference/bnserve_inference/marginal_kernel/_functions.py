@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from llvmlite import ir
-from numba import float64, njit
-from numba.core import cgutils
-from numba.extending import intrinsic
+from numba import njit
 
 from bnserve_surrogate.kernel._math import exponential
-from bnserve_surrogate.kernel._simd import DOUBLES, Vector, bits_of, from_bits, smaller
+from bnserve_surrogate.kernel._simd import bits_of, from_bits
 
 _ROUND = 1.5 * 2.0**52
 """Adding it rounds to the nearest integer, which then stands in the low bits of the sum."""
@@ -18,31 +15,6 @@ _ROUND_BITS = 0x4338000000000000
 _SQRT_HALF_BITS = 0x3FE6A09E667F3BCD
 _LN2_HIGH, _LN2_LOW = float.fromhex("0x1.62e42feep-1"), float.fromhex("0x1.a39ef35793c76p-33")
 _LEAST_EXPONENT = -700.0
-
-
-@intrinsic
-def root(typing_context: Any, x: Any) -> Any:
-    """Square root of a double or eight, as an instruction, not as the call of a library."""
-    vector = isinstance(x, Vector)
-    lowered, name = (DOUBLES, "llvm.sqrt.v8f64") if vector else (ir.DoubleType(), "llvm.sqrt.f64")
-
-    def codegen(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        kind = ir.FunctionType(lowered, [lowered])
-        return builder.call(cgutils.get_or_insert_function(builder.module, kind, name), args)
-
-    return (x if vector else float64)(x if vector else float64), codegen
-
-
-@njit(inline="always")
-def larger(a: Any, b: float) -> Any:
-    """The larger of a vector and a float, lane by lane."""
-    return 0.0 - smaller(0.0 - a, -b)
-
-
-@njit(inline="always")
-def size_of(a: Any) -> Any:
-    """Absolute values of a vector."""
-    return from_bits(bits_of(a) & 0x7FFFFFFFFFFFFFFF)
 
 
 @njit(inline="always")

@@ -8,10 +8,11 @@ from __future__ import annotations
 import numpy as np
 from numba import njit
 
+from bnserve_inference.kernel._lanes import root
 from bnserve_inference.kernel._sums import Floats, Integers
 from bnserve_inference.marginal_kernel._circle import over_circle
 from bnserve_inference.marginal_kernel._distance import over_distances
-from bnserve_inference.marginal_kernel._functions import logarithm, root
+from bnserve_inference.marginal_kernel._functions import logarithm
 from bnserve_inference.marginal_kernel._layout import ROOM, Argument, Phase, Prior
 from bnserve_surrogate.kernel._math import JIT_OPTIONS
 from bnserve_surrogate.kernel._memory import floats_at

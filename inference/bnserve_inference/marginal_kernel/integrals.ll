@@ -1,4 +1,4 @@
-; sources: 7b2f5d8f1f758ec50aee8ab6d391d3967399d75971801088a89b42466f67cc72
+; sources: aec4a35c936ab9c1cbefc2fdfe4fcdf3162c62b2d87953a62e0b1f8770aaf62a
 ; built by: numba 0.68.1, llvmlite 0.50.0, Python 3.11, x86_64
 ; ModuleID = '<string>'
 source_filename = "<string>"

@@ -1,7 +1,7 @@
 """Source of the compiled contraction of several modes: see :mod:`.build`.
 
 As with one mode (:mod:`bnserve_inference.kernel._source`), a row is evaluated by the same sequence of operations
-wherever it stands in a batch; plain loops over lanes of fixed width, no allocation.
+wherever it stands in a batch; eight nodes at a time, no allocation.
 """
 
 from __future__ import annotations
@@ -11,13 +11,16 @@ from typing import Any
 import numpy as np
 from numba import njit
 
+from bnserve_inference.kernel._lanes import across, times
 from bnserve_inference.kernel._layout import BLOCK, Argument, Sky
 from bnserve_inference.kernel._source import _geometry
-from bnserve_inference.kernel._sums import Floats, Integers, add_terms, errors_at, lane_sum, spline_at
+from bnserve_inference.kernel._sums import Floats, Integers, add_terms, errors_at, spline_at
 from bnserve_inference.modes_kernel._layout import GROUP_BLOCKS, SHARED_BLOCKS
+from bnserve_surrogate.adjoint._sums import split
+from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
-from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, padded
-from bnserve_surrogate.kernel._simd import from_bits
+from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, load, padded, store
+from bnserve_surrogate.kernel._simd import fma, from_bits, splat
 
 _COLUMNS = len(Sky)
 _TWO_PI = 2.0 * np.pi
@@ -38,83 +41,86 @@ def _factors(row: int, arguments: Integers, pattern: Floats, factors: Floats) ->
 
 
 @njit(**JIT_OPTIONS)
-def _add_mode(wave: Floats, start: int, filled: int, cr: float, ci: float, hr: Floats, hi: Floats) -> None:
-    """Add a mode's strain from ``start`` on, times its factor."""
-    for j in range(filled):
-        a, b = wave[2 * (start + j)], wave[2 * (start + j) + 1]
-        hr[j] += cr * a - ci * b
-        hi[j] += cr * b + ci * a
+def add_mode(cr: float, ci: float, ar: Floats, ai: Floats, hr: Floats, hi: Floats) -> None:
+    """Add a mode's strain, times its factor."""
+    for j in range(0, hr.shape[0], LANES):
+        a, b = load(ar, j), load(ai, j)
+        store(hr, j, fma(a, cr, fma(b, -ci, load(hr, j))))
+        store(hi, j, fma(b, cr, fma(a, ci, load(hi, j))))
 
 
 @njit(**JIT_OPTIONS)
-def _calibrate(amplitude: Floats, phase: Floats, hr: Floats, hi: Floats) -> None:
+def calibrate(amplitude: Floats, phase: Floats, hr: Floats, hi: Floats) -> None:
     """Strain times (1 + dA) (2 + i dphi) / (2 - i dphi), in its place."""
-    for j in range(hr.shape[0]):
-        p = phase[j]
-        scale = (1.0 + amplitude[j]) / (4.0 + p * p)
-        c = scale * (4.0 - p * p)
-        s = scale * (4.0 * p)
-        a, b = hr[j], hi[j]
-        hr[j] = a * c - b * s
-        hi[j] = a * s + b * c
+    for j in range(0, hr.shape[0], LANES):
+        p = load(phase, j)
+        scale = (1.0 + load(amplitude, j)) / fma(p, p, 4.0)
+        a, b = times(load(hr, j), load(hi, j), scale * (4.0 - p * p), scale * (4.0 * p))
+        store(hr, j, a)
+        store(hi, j, b)
 
 
 @njit(**JIT_OPTIONS)
 def _turns(f: Floats, time: float, c: Floats, s: Floats) -> None:
     """exp(-2 pi i f time)."""
     turn = -_TWO_PI * time
-    for j in range(f.shape[0]):
-        s[j], c[j] = sincos(f[j] * turn)
+    for j in range(0, f.shape[0], LANES):
+        sine, cosine = sincos(load(f, j) * turn)
+        store(c, j, cosine)
+        store(s, j, sine)
 
 
 @njit(**JIT_OPTIONS)
-def _fixed(c: Floats, s: Floats, kr: Floats, ki: Floats, wr: Floats, wi: Floats, pr: Floats, pi: Floats) -> None:
-    """Strain, turned, times weights."""
-    for j in range(c.shape[0]):
-        hr = kr[j] * c[j] - ki[j] * s[j]
-        hi = kr[j] * s[j] + ki[j] * c[j]
-        pr[j] = wr[j] * hr - wi[j] * hi
-        pi[j] = wr[j] * hi + wi[j] * hr
+def _fixed(
+    c: Floats, s: Floats, kr: Floats, ki: Floats, wr: Floats, wi: Floats, pr: Floats, pi: Floats
+) -> tuple[float, float]:
+    """Strain, turned, times weights; and its sum."""
+    real, imaginary = splat(0.0), splat(0.0)
+    for j in range(0, c.shape[0], LANES):
+        a, b = times(load(kr, j), load(ki, j), load(c, j), load(s, j))
+        a, b = times(load(wr, j), load(wi, j), a, b)
+        store(pr, j, a)
+        store(pi, j, b)
+        real, imaginary = real + a, imaginary + b
+    return across(real), across(imaginary)
+
+
+@njit(inline="always")
+def _six(table: Floats, place: int, row: int, b: Any) -> Any:
+    """A sum of six rows of B-spline coefficients."""
+    low = fma(load(table, place + row), b[1], load(table, place) * b[0])
+    low = fma(load(table, place + 3 * row), b[3], fma(load(table, place + 2 * row), b[2], low))
+    return fma(load(table, place + 5 * row), b[5], fma(load(table, place + 4 * row), b[4], low))
 
 
 @njit(**JIT_OPTIONS)
 def _splined(
     c: Floats, s: Floats, kr: Floats, ki: Floats, table: Floats, rows: Any, spline: Any, pr: Floats, pi: Floats
-) -> None:
-    """Strain, turned, times a sum of six rows of B-spline coefficients; ``rows`` as ``spline_at`` gives them."""
-    n = c.shape[0]
-    first, row, imaginary = rows
-    b0, b1, b2, b3, b4, b5 = spline
-    r0, i0 = floats_in(table, first, n), floats_in(table, first + imaginary, n)
-    r1, i1 = floats_in(table, first + row, n), floats_in(table, first + row + imaginary, n)
-    r2, i2 = floats_in(table, first + 2 * row, n), floats_in(table, first + 2 * row + imaginary, n)
-    r3, i3 = floats_in(table, first + 3 * row, n), floats_in(table, first + 3 * row + imaginary, n)
-    r4, i4 = floats_in(table, first + 4 * row, n), floats_in(table, first + 4 * row + imaginary, n)
-    r5, i5 = floats_in(table, first + 5 * row, n), floats_in(table, first + 5 * row + imaginary, n)
-    for j in range(n):
-        hr = kr[j] * c[j] - ki[j] * s[j]
-        hi = kr[j] * s[j] + ki[j] * c[j]
-        wr = b0 * r0[j] + b1 * r1[j] + b2 * r2[j] + b3 * r3[j] + b4 * r4[j] + b5 * r5[j]
-        wi = b0 * i0[j] + b1 * i1[j] + b2 * i2[j] + b3 * i3[j] + b4 * i4[j] + b5 * i5[j]
-        pr[j] = wr * hr - wi * hi
-        pi[j] = wr * hi + wi * hr
+) -> tuple[float, float]:
+    """Strain, turned, times weights that are splines in time, ``rows`` as ``spline_at`` gives them; and its sum."""
+    first, row, other = rows
+    real, imaginary = splat(0.0), splat(0.0)
+    for j in range(0, c.shape[0], LANES):
+        a, b = times(load(kr, j), load(ki, j), load(c, j), load(s, j))
+        a, b = times(_six(table, first + j, row, spline), _six(table, first + other + j, row, spline), a, b)
+        store(pr, j, a)
+        store(pi, j, b)
+        real, imaginary = real + a, imaginary + b
+    return across(real), across(imaginary)
 
 
 @njit(**JIT_OPTIONS)
-def _pair(
-    ar: Floats, ai: Floats, br: Floats, bi: Floats, qr: Floats, qi: Floats, shared: int, pr: Floats, pi: Floats
-) -> None:
-    """Weights times conj(a) b; weights that are shared are real."""
-    if shared == 1:
-        for j in range(ar.shape[0]):
-            pr[j] = qr[j] * (ar[j] * br[j] + ai[j] * bi[j])
-            pi[j] = qr[j] * (ar[j] * bi[j] - ai[j] * br[j])
-    else:
-        for j in range(ar.shape[0]):
-            u = ar[j] * br[j] + ai[j] * bi[j]
-            v = ar[j] * bi[j] - ai[j] * br[j]
-            pr[j] = qr[j] * u - qi[j] * v
-            pi[j] = qr[j] * v + qi[j] * u
+def _pair(ar: Floats, ai: Floats, br: Floats, bi: Floats, qr: Floats, qi: Floats, shared: int) -> tuple[float, float]:
+    """The sum of weights times conj(a) b; weights that are shared are real."""
+    real, imaginary = splat(0.0), splat(0.0)
+    for j in range(0, ar.shape[0], LANES):
+        u, v = times(load(br, j), load(bi, j), load(ar, j), 0.0 - load(ai, j))
+        if shared == 1:
+            real, imaginary = fma(load(qr, j), u, real), fma(load(qr, j), v, imaginary)
+        else:
+            p, q = times(load(qr, j), load(qi, j), u, v)
+            real, imaginary = real + p, imaginary + q
+    return across(real), across(imaginary)
 
 
 @njit(inline="always")
@@ -136,8 +142,10 @@ def _gather(row: int, d: int, first: int, size: int, arguments: Integers, factor
     filled = min(size, points - first)
     for a in range(modes):
         hr, hi = _blocks(blocks, 0, group_of[a], size)
+        ar, ai = _blocks(blocks, 0, groups, size)
+        split(filled, floats_in(wave, 2 * (a * points + first), 2 * filled), ar, ai)
         at = 2 * (d * modes + a)
-        _add_mode(wave, a * points + first, filled, factors[at], factors[at + 1], hr, hi)
+        add_mode(factors[at], factors[at + 1], ar, ai, hr, hi)
     nodes = arguments[Argument.CALIBRATION_NODES]
     if nodes > 0:
         place = 8 * nodes * (row * arguments[Argument.DETECTORS] + d)
@@ -148,7 +156,7 @@ def _gather(row: int, d: int, first: int, size: int, arguments: Integers, factor
         errors_at(floats_at(arguments[Argument.PHASE_ERRORS] + place, nodes), splines, width, first, phase)
         for g in range(groups):
             hr, hi = _blocks(blocks, 0, g, size)
-            _calibrate(amplitude, phase, hr, hi)
+            calibrate(amplitude, phase, hr, hi)
 
 
 @njit(**JIT_OPTIONS)
@@ -157,14 +165,14 @@ def _add_products(
 ) -> None:
     """Add a block of nodes of one detector to <d|h> of each group at all times, and to its terms where wanted."""
     groups, points, knots = arguments[Argument.GROUPS], arguments[Argument.POINTS], arguments[Argument.KNOTS]
-    times, width = arguments[Argument.TIMES], padded(points)
+    count, width = arguments[Argument.TIMES], padded(points)
     f = floats_in(floats_at(arguments[Argument.NODES], width), first, size)
     grid, step = floats_at(arguments[Argument.TIME_GRID], 2), from_bits(arguments[Argument.STEP])
     table_size = 2 * width * knots
-    out = floats_at(arguments[Argument.PRODUCTS] + 16 * groups * times * row, 2 * groups * times)
+    out = floats_at(arguments[Argument.PRODUCTS] + 16 * groups * count * row, 2 * groups * count)
     pr, pi = _blocks(blocks, 0, groups, size)  # where the errors were
     c, s = _blocks(blocks, 0, groups + 1, size)
-    for k in range(times):
+    for k in range(count):
         time = (arrival + k * step) + delay
         _turns(f, time, c, s)
         for g in range(groups):
@@ -172,13 +180,14 @@ def _add_products(
             place = d if arguments[Argument.SHARED] == 1 else d * groups + g
             table = floats_at(arguments[Argument.LINEAR_WEIGHTS] + 8 * table_size * place, table_size)
             if knots == 1:
-                _fixed(c, s, hr, hi, floats_in(table, first, size), floats_in(table, width + first, size), pr, pi)
+                weights = floats_in(table, first, size), floats_in(table, width + first, size)
+                real, imaginary = _fixed(c, s, hr, hi, weights[0], weights[1], pr, pi)
             else:
                 rows, spline = spline_at(time, grid, knots, width, first)
-                _splined(c, s, hr, hi, table, rows, spline, pr, pi)
-            out[2 * (g * times + k)] += lane_sum(pr)
-            out[2 * (g * times + k) + 1] += lane_sum(pi)
-            if k == times - 1 and arguments[Argument.SPECTRUM] != 0:
+                real, imaginary = _splined(c, s, hr, hi, table, rows, spline, pr, pi)
+            out[2 * (g * count + k)] += real
+            out[2 * (g * count + k) + 1] += imaginary
+            if k == count - 1 and arguments[Argument.SPECTRUM] != 0:
                 filled = min(size, points - first)
                 line = arguments[Argument.SPECTRUM] + 16 * ((row * groups + g) * points + first)
                 add_terms(pr, pi, 1.0, 0.0, floats_at(line, 2 * filled))
@@ -191,7 +200,6 @@ def _add_pairs(row: int, d: int, first: int, size: int, arguments: Integers, blo
     shared = arguments[Argument.SHARED]
     pairs = groups * (groups + 1) // 2
     out = floats_at(arguments[Argument.NORMS] + 16 * pairs * row, 2 * pairs)
-    pr, pi = _blocks(blocks, 0, groups, size)
     at = 0
     for g in range(groups):
         ar, ai = _blocks(blocks, 0, g, size)
@@ -200,9 +208,10 @@ def _add_pairs(row: int, d: int, first: int, size: int, arguments: Integers, blo
             place = width * d if shared == 1 else 2 * width * (d * pairs + at)
             weights = floats_at(arguments[Argument.QUADRATIC_WEIGHTS] + 8 * place, 2 * width)
             imaginary = first if shared == 1 else width + first
-            _pair(ar, ai, br, bi, floats_in(weights, first, size), floats_in(weights, imaginary, size), shared, pr, pi)
-            out[2 * at] += lane_sum(pr)
-            out[2 * at + 1] += lane_sum(pi)
+            qr, qi = floats_in(weights, first, size), floats_in(weights, imaginary, size)
+            real, turned = _pair(ar, ai, br, bi, qr, qi, shared)
+            out[2 * at] += real
+            out[2 * at + 1] += turned
             at += 1
 
 

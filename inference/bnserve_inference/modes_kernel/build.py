@@ -10,12 +10,14 @@ from pathlib import Path
 from bnserve_inference.kernel import build as one_mode
 from bnserve_inference.kernel._layout import Argument
 from bnserve_inference.modes_kernel._contraction import ASSEMBLY, ENTRY_POINT
+from bnserve_surrogate import adjoint
 from bnserve_surrogate.kernel import build
 
 
 def sources() -> list[Path]:
     """Everything that the contraction is compiled from."""
-    return [ASSEMBLY.with_name(name) for name in ("_layout.py", "_source.py")] + one_mode.sources()
+    theirs = [Path(adjoint.__file__).with_name("_sums.py")]
+    return [ASSEMBLY.with_name(name) for name in ("_layout.py", "_source.py")] + theirs + one_mode.sources()
 
 
 if __name__ == "__main__":

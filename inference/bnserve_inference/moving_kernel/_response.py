@@ -6,18 +6,24 @@ sums of 1, cos theta, sin theta, cos 2 theta and sin 2 theta, and its delay of t
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numba import njit
 
+from bnserve_inference.kernel._lanes import larger, size_of, times
 from bnserve_inference.kernel._layout import Sky
 from bnserve_inference.kernel._source import LIGHT_SPEED
 from bnserve_inference.kernel._sums import Floats
 from bnserve_inference.moving_kernel._layout import Coefficient
+from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
+from bnserve_surrogate.kernel._memory import load, store
+from bnserve_surrogate.kernel._simd import fma
 
 _TWO_PI = 2.0 * np.pi
-_SMALL = 1e-6
-"""Of the square of an angle: below, its sine over it is taken from the first terms of the series, to 1e-14."""
+_SMALL = 1e-9
+"""An angle below which its sine over it is one."""
 
 
 @njit(inline="always")
@@ -77,40 +83,40 @@ def coefficients(
         out[first + 2], out[first + 3] = arm[2] * scale, length / LIGHT_SPEED
 
 
+@njit(inline="always")
+def _pattern(k: Floats, first: int, c1: Any, s1: Any, c2: Any, s2: Any) -> Any:
+    return fma(c1, k[first + 1], fma(s1, k[first + 2], fma(c2, k[first + 3], fma(s2, k[first + 4], k[first]))))
+
+
 @njit(**JIT_OPTIONS)
 def short_arms(
     k: Floats, c: Floats, s: Floats, pr: Floats, pi: Floats, xr: Floats, xi: Floats, hr: Floats, hi: Floats
 ) -> None:
     """Strain of plus and cross polarisation in a detector, not yet delayed; ``k`` are its coefficients."""
-    p0, p1, p2 = k[Coefficient.PLUS], k[Coefficient.PLUS + 1], k[Coefficient.PLUS + 2]
-    p3, p4 = k[Coefficient.PLUS + 3], k[Coefficient.PLUS + 4]
-    x0, x1, x2 = k[Coefficient.CROSS], k[Coefficient.CROSS + 1], k[Coefficient.CROSS + 2]
-    x3, x4 = k[Coefficient.CROSS + 3], k[Coefficient.CROSS + 4]
-    for j in range(c.shape[0]):
-        c1, s1 = c[j], s[j]
-        c2, s2 = c1 * c1 - s1 * s1, 2.0 * c1 * s1
-        plus = p0 + p1 * c1 + p2 * s1 + p3 * c2 + p4 * s2
-        cross = x0 + x1 * c1 + x2 * s1 + x3 * c2 + x4 * s2
-        hr[j] = plus * pr[j] + cross * xr[j]
-        hi[j] = plus * pi[j] + cross * xi[j]
+    for j in range(0, c.shape[0], LANES):
+        c1, s1 = load(c, j), load(s, j)
+        c2, s2 = fma(c1, c1, 0.0 - s1 * s1), 2.0 * c1 * s1
+        plus, cross = _pattern(k, Coefficient.PLUS, c1, s1, c2, s2), _pattern(k, Coefficient.CROSS, c1, s1, c2, s2)
+        store(hr, j, fma(plus, load(pr, j), cross * load(xr, j)))
+        store(hi, j, fma(plus, load(pi, j), cross * load(xi, j)))
 
 
 @njit(**JIT_OPTIONS)
 def delay(k: Floats, f: Floats, c: Floats, s: Floats, hr: Floats, hi: Floats) -> None:
     """Turn strain by what its delay differs from that of the coalescence."""
     receding, sideways = -_TWO_PI * k[Coefficient.RECEDING], -_TWO_PI * k[Coefficient.SIDEWAYS]
-    for j in range(c.shape[0]):
-        sine, cosine = sincos(f[j] * (receding * (1.0 - c[j]) + sideways * s[j]))
-        a, b = hr[j], hi[j]
-        hr[j] = a * cosine - b * sine
-        hi[j] = a * sine + b * cosine
+    for j in range(0, c.shape[0], LANES):
+        sine, cosine = sincos(load(f, j) * fma(load(s, j), sideways, receding * (1.0 - load(c, j))))
+        a, b = times(load(hr, j), load(hi, j), cosine, sine)
+        store(hr, j, a)
+        store(hi, j, b)
 
 
 @njit(inline="always")
-def _sinc(x: float) -> float:
-    z = x * x
-    sine, _ = sincos(x)
-    return 1.0 - z / 6.0 if z < _SMALL else sine / x
+def _sinc(x: Any) -> Any:
+    size = larger(size_of(x), _SMALL)
+    sine, _ = sincos(size)
+    return sine / size
 
 
 @njit(**JIT_OPTIONS)
@@ -126,18 +132,22 @@ def one_arm(
     along_a, along_b, along_z, length = k[first], k[first + 1], k[first + 2], k[first + 3]
     cos_p, sin_p = k[Coefficient.COS_POLARIZATION], k[Coefficient.SIN_POLARIZATION]
     cos_d, sin_d = k[Coefficient.COS_DECLINATION], k[Coefficient.SIN_DECLINATION]
-    for j in range(c.shape[0]):
-        towards, across = along_a * c[j] - along_b * s[j], along_b * c[j] + along_a * s[j]
-        u, v = -across, cos_d * along_z - sin_d * towards
-        p, q = 0.5 * sign * (u * u - v * v), sign * u * v
-        plus, cross = cos_p * p + sin_p * q, cos_p * q - sin_p * p
-        mu = -(cos_d * towards + sin_d * along_z)
-        phase = 0.5 * _TWO_PI * f[j] * length
+    for j in range(0, c.shape[0], LANES):
+        c1, s1 = load(c, j), load(s, j)
+        towards, across = fma(c1, along_a, s1 * -along_b), fma(c1, along_b, s1 * along_a)
+        u, v = 0.0 - across, cos_d * along_z - sin_d * towards
+        p, q = 0.5 * sign * fma(u, u, 0.0 - v * v), sign * u * v
+        plus, cross = fma(p, cos_p, q * sin_p), fma(q, cos_p, p * -sin_p)
+        mu = -sin_d * along_z - cos_d * towards
+        phase = (0.5 * _TWO_PI * length) * load(f, j)
         one, other = _sinc(phase * (1.0 + mu)), _sinc(phase * (1.0 - mu))
         sine, cosine = sincos(phase)
         a, b = 0.5 * cosine * (one + other), 0.5 * sine * (one - other)
-        sine, cosine = sincos(-phase * mu)
-        tr, ti = a * cosine - b * sine, a * sine + b * cosine
-        er, ei = plus * pr[j] + cross * xr[j], plus * pi[j] + cross * xi[j]
-        hr[j] += tr * er - ti * ei
-        hi[j] += tr * ei + ti * er
+        sine, cosine = sincos(0.0 - phase * mu)
+        tr, ti = times(a, b, cosine, sine)
+        er, ei = (
+            fma(plus, load(pr, j), cross * load(xr, j)), fma(plus, load(pi, j), cross * load(xi, j)),
+        )  # fmt: skip
+        a, b = times(tr, ti, er, ei)
+        store(hr, j, load(hr, j) + a)
+        store(hi, j, load(hi, j) + b)

@@ -1,7 +1,7 @@
 """Source of the compiled contraction of moving detectors: see :mod:`.build`.
 
 As with detectors that stand (:mod:`bnserve_inference.modes_kernel._source`), a row is evaluated by the same sequence of
-operations wherever it stands in a batch; plain loops over lanes of fixed width, no allocation.
+operations wherever it stands in a batch; eight nodes at a time, no allocation.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from numba import njit
 from bnserve_inference.kernel._layout import BLOCK, Sky
 from bnserve_inference.kernel._layout import Argument as Common
 from bnserve_inference.kernel._sums import Floats, Integers, errors_at
-from bnserve_inference.modes_kernel._source import _add_mode, _add_pairs, _add_products, _blocks, _calibrate
+from bnserve_inference.modes_kernel._source import _add_pairs, _add_products, _blocks, add_mode, calibrate
 from bnserve_inference.moving_kernel._layout import (
     COEFFICIENTS,
     GROUP_BLOCKS,
@@ -21,8 +21,10 @@ from bnserve_inference.moving_kernel._layout import (
 )
 from bnserve_inference.moving_kernel._passing import find_passing
 from bnserve_inference.moving_kernel._response import coefficients, delay, one_arm, short_arms
+from bnserve_surrogate.adjoint._sums import split
+from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, sincos
-from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, padded
+from bnserve_surrogate.kernel._memory import floats_at, floats_in, integers_at, load, padded, store
 
 _COLUMNS = len(Sky)
 
@@ -35,8 +37,10 @@ def _plus(groups: int, g: int) -> int:
 
 @njit(**JIT_OPTIONS)
 def _turn(times: Floats, rate: float, c: Floats, s: Floats) -> None:
-    for j in range(times.shape[0]):
-        s[j], c[j] = sincos(rate * times[j])
+    for j in range(0, times.shape[0], LANES):
+        sine, cosine = sincos(rate * load(times, j))
+        store(c, j, cosine)
+        store(s, j, sine)
 
 
 @njit(**JIT_OPTIONS)
@@ -59,8 +63,10 @@ def _polarise(row: int, first: int, size: int, arguments: Integers, passing: Flo
     for a in range(modes):
         pr, pi = _blocks(blocks, 0, _plus(groups, group_of[a]), size)
         xr, xi = _blocks(blocks, 0, _plus(groups, group_of[a]) + 1, size)
-        _add_mode(wave, a * points + first, filled, plus[a], 0.0, pr, pi)
-        _add_mode(wave, a * points + first, filled, cross[2 * a], cross[2 * a + 1], xr, xi)
+        ar, ai = _blocks(blocks, 0, groups, size)
+        split(filled, floats_in(wave, 2 * (a * points + first), 2 * filled), ar, ai)
+        add_mode(plus[a], 0.0, ar, ai, pr, pi)
+        add_mode(cross[2 * a], cross[2 * a + 1], ar, ai, xr, xi)
 
 
 @njit(**JIT_OPTIONS)
@@ -89,7 +95,7 @@ def _respond(row: int, d: int, first: int, size: int, arguments: Integers, k: Fl
         errors_at(floats_at(arguments[Common.PHASE_ERRORS] + place, nodes), splines, width, first, phase)
         for g in range(groups):
             hr, hi = _blocks(blocks, 0, g, size)
-            _calibrate(amplitude, phase, hr, hi)
+            calibrate(amplitude, phase, hr, hi)
 
 
 @njit(**JIT_OPTIONS)
