@@ -26,15 +26,16 @@ Report = Callable[[Progress], None]
 DEFAULTS = Settings()
 _STARTS = 2
 """Populations that know nothing of each other."""
-_ATTEMPTS = 3
-"""So often populations settle at most; after the first time, they begin with the draws of the time before."""
+_ATTEMPTS = 4
+"""So often populations settle at most; after the first time, they begin with draws of the time before, and are twice as
+large."""
 _PHASES = 2 * _STARTS
 """Of one attempt, whose random numbers are its own."""
 _ROUND, _JUDGED = 4, 4
 """Draws of a round from each proposal for each particle; after so many rounds weights are judged, after twice as many
 where proposals were fitted anew: there is more to fit to the next time."""
-_MOST_DRAWS = 50
-"""For each effective sample that is wanted: proposals that need more are fitted anew."""
+_MOST_DRAWS, _MOST_AT_LAST = 50, 200
+"""For each effective sample that is wanted: proposals that need more are fitted anew, but for the last ones."""
 _FEWEST_PARTICLES = 100
 """With fewer no mixture can be fitted in a few dimensions."""
 _UNDONE = 1e-3
@@ -173,7 +174,8 @@ class _Run:
     def most_draws(self) -> int:
         """How many draws are worth their likelihoods."""
         judged = (_JUDGED << self.state.attempt) * _ROUND * _STARTS * self.settings.particles
-        return max(_MOST_DRAWS * self.settings.effective, judged)
+        last = self.state.attempt + 1 == _ATTEMPTS
+        return max((_MOST_AT_LAST if last else _MOST_DRAWS) * self.settings.effective, judged)
 
     def objection(self, found: Weighted) -> str | None:
         """What is wrong with the draws, or None."""
@@ -198,8 +200,9 @@ class _Run:
         return tuple((each.log_evidence, each.log_evidence_error) for each in found)
 
     def refit(self) -> None:
-        """Begin again with what each proposal drew; none tells the other what it missed."""
-        state, draws, particles = self.state, self.state.draws, self.settings.particles
+        """Begin again with what each proposal drew, twice as many as before; none tells the other what it missed."""
+        state, draws = self.state, self.state.draws
+        particles = self.settings.particles << (state.attempt + 1)
         assert draws is not None
         random = self.random(self.phase(_STARTS), -1)
         own = [_importance.of_origin(draws, start) for start in range(_STARTS)]
