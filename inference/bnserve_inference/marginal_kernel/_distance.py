@@ -6,15 +6,18 @@ and what a table says. Integrals are given as an exponent and a factor, so that 
 
 from __future__ import annotations
 
+from typing import Any
+
 from numba import njit
 
-from bnserve_inference.kernel._lanes import root
+from bnserve_inference.kernel._lanes import larger, root
 from bnserve_inference.kernel._sums import Floats, Integers, lane_sum
 from bnserve_inference.marginal_kernel._functions import fading, logarithm, nearest_cell
 from bnserve_inference.marginal_kernel._layout import CELL, MOST_NODES, Argument, Phase, Prior
 from bnserve_surrogate.kernel._layout import LANES
 from bnserve_surrogate.kernel._math import JIT_OPTIONS, exponential
-from bnserve_surrogate.kernel._memory import floats_at, floats_in
+from bnserve_surrogate.kernel._memory import at, floats_at, floats_in, load, store
+from bnserve_surrogate.kernel._simd import fma, smaller, splat
 
 _LN_PIECE = 3.4657359027997265
 """ln 32, of the ends' ratio of a piece: the nodes follow the power of u, which has a pole at zero, to rounding."""
@@ -35,63 +38,51 @@ def _add_table(u: Floats, prior: Floats, table: Floats, cells: int, out: Floats)
     for j in range(u.shape[0]):
         place = (-logarithm(u[j]) - first) * scale
         cell = nearest_cell(place, cells)
-        b, at = place - cell, CELL * cell
-        out[j] += table[at] + b * (table[at + 1] + b * (table[at + 2] + b * table[at + 3]))
+        b, p = place - cell, CELL * cell
+        out[j] += table[p] + b * (table[p + 1] + b * (table[p + 2] + b * table[p + 3]))
 
 
-@njit(**JIT_OPTIONS)
-def _large_bessel(x: Floats, series: Floats, one: Floats, two: Floats) -> None:
-    """Into ``one``: sqrt(x) exp(-x) I0(x), where x is at least 8; by Clenshaw's recurrence."""
-    size = x.shape[0]
-    for j in range(size):
-        one[j] = 0.0
-        two[j] = 0.0
+@njit(inline="always")
+def _large_bessel(x: Any, series: Floats) -> Any:
+    """ln I0(x) - x, where x is at least 8; by Clenshaw's recurrence."""
+    large = larger(x, _LARGE)
+    t = 2.0 * _LARGE / large - 1.0
+    one, two = splat(0.0), splat(0.0)
     for k in range(series.shape[0] - 1, 0, -1):
-        for j in range(size):
-            large = x[j] if x[j] > _LARGE else _LARGE
-            before = one[j]
-            one[j] = series[k] + 2.0 * (2.0 * _LARGE / large - 1.0) * before - two[j]
-            two[j] = before
-    for j in range(size):
-        large = x[j] if x[j] > _LARGE else _LARGE
-        one[j] = series[0] + (2.0 * _LARGE / large - 1.0) * one[j] - two[j]
+        one, two = fma(2.0 * t, one, at(series, k) - two), one
+    scaled = fma(t, one, at(series, 0) - two)
+    return 0.5 * logarithm(scaled * scaled / large)
 
 
-@njit(**JIT_OPTIONS)
-def _small_bessel(x: Floats, series: Floats, out: Floats) -> None:
-    """I0(x), where x is at most 8."""
-    for j in range(x.shape[0]):
-        out[j] = 0.0
+@njit(inline="always")
+def _small_bessel(x: Any, series: Floats) -> Any:
+    """ln I0(x) - x, where x is at most 8."""
+    small = smaller(x, _LARGE)
+    square, found = 0.25 * small * small, splat(0.0)
     for k in range(series.shape[0] - 1, -1, -1):
-        for j in range(x.shape[0]):
-            small = x[j] if x[j] < _LARGE else _LARGE
-            out[j] = series[k] + 0.25 * small * small * out[j]
+        found = fma(square, found, at(series, k))
+    return logarithm(found) - small
 
 
 @njit(**JIT_OPTIONS)
-def _add_bessel(x: Floats, arguments: Integers, room: Floats, out: Floats) -> None:
-    """ln I0(x) - x, of nodes in increasing or any other order."""
-    size = x.shape[0]
-    least, most = x[0], x[0]
-    for j in range(size):
-        least = x[j] if x[j] < least else least
-        most = x[j] if x[j] > most else most
-    one, two = floats_in(room, 0, size), floats_in(room, size, size)
-    if most > _LARGE:
-        count = arguments[Argument.LARGE_COUNT]
-        _large_bessel(x, floats_at(arguments[Argument.LARGE_BESSEL], count), one, two)
-    if least >= _LARGE:
-        for j in range(size):
-            out[j] += 0.5 * logarithm(one[j] * one[j] / x[j])
-        return
-    count = arguments[Argument.SMALL_COUNT]
-    _small_bessel(x, floats_at(arguments[Argument.SMALL_BESSEL], count), two)
-    for j in range(size):
-        out[j] += 0.5 * logarithm(one[j] * one[j] / x[j]) if x[j] >= _LARGE else logarithm(two[j]) - x[j]
+def add_bessel(x: Floats, arguments: Integers, room: Floats, out: Floats) -> None:
+    """ln I0(x) - x, of whole lanes; what a lane gives does not depend on the others."""
+    large, few = arguments[Argument.LARGE_COUNT], arguments[Argument.SMALL_COUNT]
+    series, small = floats_at(arguments[Argument.LARGE_BESSEL], large), floats_at(arguments[Argument.SMALL_BESSEL], few)
+    for first in range(0, x.shape[0], LANES):
+        given = load(x, first)
+        store(room, 0, _large_bessel(given, series))
+        least = x[first]
+        for j in range(first, first + LANES):
+            least = x[j] if x[j] < least else least
+        if least < _LARGE:
+            store(room, LANES, _small_bessel(given, small))
+        for j in range(LANES):
+            out[first + j] += room[j] if x[first + j] >= _LARGE else room[LANES + j]
 
 
 @njit(**JIT_OPTIONS)
-def _ratios(x: Floats, u: Floats, arguments: Integers) -> None:
+def to_ratios(x: Floats, u: Floats, arguments: Integers) -> None:
     """u times I1(x) / I0(x), in the place of u."""
     count = arguments[Argument.LARGE_COUNT]
     series = floats_at(arguments[Argument.LARGE_BESSEL], count)
@@ -135,7 +126,7 @@ def _by_rule(
     if bessel:
         for j in range(size):
             amplitude[j] = x * u[j]
-        _add_bessel(amplitude, arguments, floats_in(room, 3 * MOST_NODES, 2 * size), e)
+        add_bessel(amplitude, arguments, floats_in(room, 3 * MOST_NODES, 2 * LANES), e)
     base = 0.5 * x * middle
     if not normal:
         base = 0.0
@@ -153,28 +144,11 @@ def _by_rule(
     for j in range(size):
         squares += e[j] * u[j] * u[j]
     if bessel:
-        _ratios(amplitude, u, arguments)
+        to_ratios(amplitude, u, arguments)
     firsts = 0.0
     for j in range(size):
         firsts += e[j] * u[j]
     return base + top, factor, half * firsts, half * squares
-
-
-@njit(**JIT_OPTIONS)
-def _as_it_is(x: float, n: float, arguments: Integers, room: Floats) -> tuple[float, float, float, float]:
-    """The same of a distance that is not integrated over, with u = 1."""
-    if arguments[Argument.PHASE] != Phase.BESSEL:
-        return x - 0.5 * n, 1.0, 1.0, 1.0
-    one, e = floats_in(room, 0, LANES), floats_in(room, LANES, LANES)
-    amplitude = floats_in(room, 2 * LANES, LANES)
-    for j in range(LANES):
-        one[j] = 1.0
-        e[j] = 0.0
-        amplitude[j] = x
-    _add_bessel(amplitude, arguments, floats_in(room, 3 * MOST_NODES, 2 * LANES), e)
-    if arguments[Argument.BY_PRODUCTS] != 0:
-        _ratios(amplitude, one, arguments)
-    return x + e[0] - 0.5 * n, 1.0, one[0], 1.0
 
 
 @njit(inline="always")
@@ -189,10 +163,10 @@ def is_normal(middle: float, width: float, relative: float, prior: Floats) -> bo
 def over_distances(
     x: float, n: float, arguments: Integers, prior: Floats, room: Floats
 ) -> tuple[float, float, float, float]:
-    """Exponent and factor of the integral at one phase, or over all with Bessel's function; and its factors of u and
-    u^2."""
+    """Exponent and factor of the integral at one phase, or over all with Bessel's function where there are distances to
+    integrate over; and its factors of u and u^2."""
     if arguments[Argument.HAS_DISTANCE] == 0:
-        return _as_it_is(x, n, arguments, room)
+        return x - 0.5 * n, 1.0, 1.0, 1.0
     if x > 0.0 and n > 0.0:
         middle, width = x / n, 1.0 / root(n)
         if is_normal(middle, width, prior[Prior.NARROW], prior):
