@@ -69,7 +69,7 @@ def run(prepared: Prepared, folder: Folder, report: Report | None = None, *, thr
     prepared, folder
         What is sampled, and where it is kept.
     report
-        Called after each step.
+        Called after each step, one call at a time, from the thread that took it.
     threads
         Of this process, at most, for likelihoods and for the sampler; the posterior does not depend on how many.
 

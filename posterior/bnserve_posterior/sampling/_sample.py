@@ -59,7 +59,7 @@ def sample(
     checkpoint:
         A file, written after each step; a run that finds one goes on there, with the same result.
     progress:
-        Called after each step.
+        Called after each step, one call at a time, from the thread that took it.
     threads:
         With two or more, both populations are on their way at once. Likelihoods are evaluated in the caller's thread,
         one batch at a time, and the posterior is the same.
