@@ -25,7 +25,7 @@ import numpy as np
 
 RUNS = {"seed 1": (1, 1), "seed 2": (2, 1), "twice the particles": (1, 2)}
 """Seed, and how many times the particles, of each run."""
-_PARTICLES = 2000
+_PARTICLES = 3000
 """Of an event that says nothing."""
 
 

@@ -136,7 +136,7 @@ def arguments() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--work", type=Path, default=Path("runs/gw170817_paper"), help="checkpoints and results")
     parser.add_argument("--kinds", nargs="+", choices=KINDS, default=list(KINDS), help="the likelihoods to sample")
-    parser.add_argument("--particles", type=int, default=2000, help="of each population of the sampler (2000)")
+    parser.add_argument("--particles", type=int, default=3000, help="of each population of the sampler (3000)")
     parser.add_argument("--effective", type=int, default=10_000, help="effective samples (10000)")
     parser.add_argument("--seed", type=int, default=1, help="of the sampler (1)")
     parser.add_argument("--url", help="a running service; without it one is started")

@@ -149,7 +149,7 @@ class SamplerSection(_Section, frozen=True, kw_only=True):
     that look for it has, and the ``seed``."""
 
     effective: Count = 10_000
-    particles: Annotated[int, Meta(ge=FEWEST_PARTICLES)] = 2000
+    particles: Annotated[int, Meta(ge=FEWEST_PARTICLES)] = 3000
     seed: Natural = 1
 
 

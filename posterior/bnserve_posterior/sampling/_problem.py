@@ -111,7 +111,7 @@ class Settings:
     """
 
     effective: int = 10_000
-    particles: int = 2000
+    particles: int = 3000
     batch: int = 4000
     seed: int = 1
 
