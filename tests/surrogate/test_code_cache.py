@@ -6,7 +6,7 @@ import threading
 
 import pytest
 
-from bnserve_surrogate.kernel._loader import cache_folder, cached_code
+from bnserve_surrogate.kernel._loader import _MOST_FILES, cache_folder, cached_code
 from tests.architecture.rooms import run_python
 
 CODE = b"machine code" * 100
@@ -100,12 +100,12 @@ def test_code_of_another_key_is_not_taken_for_ours(cache):
 
 
 def test_old_code_goes(cache):
-    for number in range(20):
+    for number in range(_MOST_FILES + 12):
         cached_code(b"%d" % number, Compiler())
         os.utime(max(cache.iterdir(), key=lambda file: file.stat().st_ctime_ns), (number, number))
-    assert len(list(cache.iterdir())) == 8
+    assert len(list(cache.iterdir())) == _MOST_FILES
     compiler = Compiler()
-    cached_code(b"19", compiler)
+    cached_code(b"%d" % (_MOST_FILES + 11), compiler)
     assert compiler.calls == 0
 
 
